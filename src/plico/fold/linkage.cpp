@@ -1,0 +1,156 @@
+#include "plico/fold/linkage.h"
+
+#include <algorithm>
+#include <map>
+
+#include "plico/base/error.h"
+
+namespace plico {
+namespace {
+
+bool is_hinge(const EdgeSides& sides) { return sides.left >= 0 && sides.right >= 0; }
+
+struct Arc {
+  int panel, hinge;
+};
+
+std::vector<std::vector<Arc>> panel_graph(const Linkage& linkage) {
+  std::vector<std::vector<Arc>> graph(linkage.panels.size());
+  for (int h = 0; h < linkage.num_hinges(); ++h) {
+    graph[linkage.hinges[h].left].push_back({linkage.hinges[h].right, h});
+    graph[linkage.hinges[h].right].push_back({linkage.hinges[h].left, h});
+  }
+  return graph;
+}
+
+// Panels in breadth-first order from `root`; fills parents.
+std::vector<int> breadth_first(const std::vector<std::vector<Arc>>& graph, int root, std::vector<int>& parent_panel,
+                               std::vector<int>& parent_hinge, std::vector<int>& seen, int mark) {
+  std::vector<int> order{root};
+  seen[root] = mark;
+  parent_panel[root] = parent_hinge[root] = -1;
+  for (std::size_t at = 0; at < order.size(); ++at) {
+    for (const Arc& arc : graph[order[at]]) {
+      if (seen[arc.panel] == mark) continue;
+      seen[arc.panel] = mark;
+      parent_panel[arc.panel] = order[at];
+      parent_hinge[arc.panel] = arc.hinge;
+      order.push_back(arc.panel);
+    }
+  }
+  return order;
+}
+
+// The middle of a longest shortest path of the part that holds `panel`: exact for trees, a good middle for loops.
+int middle_of(const std::vector<std::vector<Arc>>& graph, int panel, std::vector<int>& seen, int& mark) {
+  std::vector<int> parent(graph.size(), -1), hinge(graph.size(), -1);
+  const int far = breadth_first(graph, panel, parent, hinge, seen, ++mark).back();
+  std::vector<int> path;
+  for (int p = breadth_first(graph, far, parent, hinge, seen, ++mark).back(); p >= 0; p = parent[p]) path.push_back(p);
+  return path[path.size() / 2];
+}
+
+void grow_trees(Linkage& linkage, int base) {
+  const auto graph = panel_graph(linkage);
+  const int n = linkage.num_panels();
+  linkage.parent_panel.assign(n, -1);
+  linkage.parent_hinge.assign(n, -1);
+  std::vector<int> seen(n, 0), scratch(n, 0);
+  int mark = 0;
+  const auto grow = [&](int root) {
+    const auto part = breadth_first(graph, root, linkage.parent_panel, linkage.parent_hinge, seen, 1);
+    linkage.order.insert(linkage.order.end(), part.begin(), part.end());
+  };
+  if (base >= 0) grow(base);
+  for (int p = 0; p < n; ++p)
+    if (!seen[p]) grow(middle_of(graph, p, scratch, mark));
+  std::vector<char> in_tree(linkage.hinges.size(), 0);
+  for (int h : linkage.parent_hinge)
+    if (h >= 0) in_tree[h] = 1;
+  for (int h = 0; h < linkage.num_hinges(); ++h)
+    if (!in_tree[h]) linkage.loop_hinges.push_back(h);
+}
+
+// The panel and side of every directed edge of the sheet.
+std::map<std::pair<int, int>, std::pair<int, int>> side_table(const CreasePattern& sheet) {
+  std::map<std::pair<int, int>, std::pair<int, int>> table;
+  for (int f = 0; f < sheet.num_faces(); ++f) {
+    const std::vector<int>& face = sheet.faces[f];
+    for (int i = 0; i < static_cast<int>(face.size()); ++i) table[{face[i], face[(i + 1) % face.size()]}] = {f, i};
+  }
+  return table;
+}
+
+void add_seams(Linkage& linkage, const CreasePattern& sheet, const std::vector<int>& mate) {
+  if (mate.empty()) return;
+  const auto sides = side_table(sheet);
+  const auto find = [&](int e) {
+    const auto at = sides.find({sheet.edges[e].a, sheet.edges[e].b});
+    return at != sides.end() ? at->second : sides.at({sheet.edges[e].b, sheet.edges[e].a});
+  };
+  for (int e = 0; e < sheet.num_edges(); ++e) {
+    if (mate[e] <= e) continue;
+    const auto [panel_a, side_a] = find(e);
+    const auto [panel_b, side_b] = find(mate[e]);
+    linkage.seams.push_back({panel_a, side_a, panel_b, side_b});
+  }
+}
+
+}  // namespace
+
+Linkage make_linkage(const CreasePattern& sheet, const std::vector<int>& mate, int base) {
+  Linkage linkage;
+  const auto lift = [&](int v) { return Vec3(sheet.vertices[v].x(), sheet.vertices[v].y(), 0); };
+  for (const std::vector<int>& face : sheet.faces) {
+    std::vector<Vec3>& outline = linkage.panels.emplace_back();
+    for (int v : face) outline.push_back(lift(v));
+  }
+  const std::vector<EdgeSides> sides = edge_sides(sheet);
+  for (int e = 0; e < sheet.num_edges(); ++e) {
+    if (!is_hinge(sides[e])) continue;
+    const Crease& crease = sheet.edges[e];
+    linkage.hinges.push_back({sides[e].left, sides[e].right, lift(crease.a), lift(crease.b), crease.fold_angle});
+  }
+  grow_trees(linkage, base);
+  add_seams(linkage, sheet, mate);
+  return linkage;
+}
+
+std::vector<int> hinge_of_edge(const CreasePattern& sheet) {
+  std::vector<int> hinge;
+  int next = 0;
+  for (const EdgeSides& sides : edge_sides(sheet)) hinge.push_back(is_hinge(sides) ? next++ : -1);
+  return hinge;
+}
+
+Configuration flat(const Linkage& linkage) { return Configuration::Zero(linkage.num_hinges()); }
+
+Configuration goal(const Linkage& linkage) {
+  Configuration config(linkage.num_hinges());
+  for (int h = 0; h < linkage.num_hinges(); ++h) config[h] = linkage.hinges[h].target;
+  return config;
+}
+
+std::vector<Pose> folding_map(const Linkage& linkage, const Configuration& config) {
+  PLICO_ASSERT(config.size() == linkage.num_hinges());
+  std::vector<Pose> poses(linkage.panels.size(), Pose::Identity());
+  for (int p : linkage.order) {
+    const int h = linkage.parent_hinge[p];
+    if (h < 0) continue;
+    const Hinge& hinge = linkage.hinges[h];
+    // Turning the right panel up (a valley) is a left-handed turn about from -> to.
+    const double angle = p == hinge.right ? -config[h] : config[h];
+    poses[p] = poses[linkage.parent_panel[p]] * rotation_about(hinge.from, hinge.to, angle);
+  }
+  return poses;
+}
+
+int chain_depth(const Linkage& linkage) {
+  std::vector<int> depth(linkage.panels.size(), 0);
+  int deepest = 0;
+  for (int p : linkage.order)
+    if (linkage.parent_panel[p] >= 0) deepest = std::max(deepest, depth[p] = depth[linkage.parent_panel[p]] + 1);
+  return deepest;
+}
+
+}  // namespace plico

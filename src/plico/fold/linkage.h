@@ -1,0 +1,60 @@
+// Rigid panels joined at hinges: what every net, crease pattern and strip becomes before it moves. Kinematics,
+// collision, proof, planners, viewer and exporters are written once, for linkages, and cannot tell which they hold.
+#pragma once
+#include <vector>
+
+#include "plico/base/vec.h"
+#include "plico/fold/crease_pattern.h"
+
+namespace plico {
+
+// All fold angles, one per hinge, radians, valley > 0 > mountain (R1); all zero is flat.
+using Configuration = Eigen::VectorXd;
+
+struct Hinge {
+  int left = -1, right = -1;  // panels: `left` lies left of from -> to, seen from the front
+  Vec3 from, to;              // the axis in the flat state
+  double target = 0;          // fold angle at the goal
+  double low = -kPi, high = kPi;  // limits
+};
+
+struct Linkage {
+  std::vector<std::vector<Vec3>> panels;  // outlines in the flat state (z = 0), counter-clockwise seen from +z, the front
+  std::vector<Hinge> hinges;
+  double thickness = 0;  // of every panel, units; 0 is a sheet
+
+  // The tree along which panels are placed, roots first: `order` lists the panels; parent_hinge[p] leads from
+  // parent_panel[p] to p and is -1 for a root. A hinge outside the tree closes a loop.
+  std::vector<int> order, parent_panel, parent_hinge;
+  std::vector<int> loop_hinges;  // hinges that are not in the tree, ascending
+
+  // Pairs of sides that are glued at the goal: panel and side index (side i runs from outline[i] to outline[i + 1]).
+  struct Seam {
+    int panel_a, side_a, panel_b, side_b;
+  };
+  std::vector<Seam> seams;
+
+  int num_panels() const { return static_cast<int>(panels.size()); }
+  int num_hinges() const { return static_cast<int>(hinges.size()); }
+  bool has_loops() const { return !loop_hinges.empty(); }
+};
+
+// The linkage of a flat sheet: one panel per face; a hinge per edge between two panels, in the order of the edges.
+// `mate` (may be empty) has the glued edge of each edge or -1. The stationary panel of each part is the centre of its
+// tree (shortest chains), or `base` for the part that holds it. Breadth-first tree, ties by id. O(n log n).
+Linkage make_linkage(const CreasePattern& sheet, const std::vector<int>& mate = {}, int base = -1);
+
+// The hinge of each sheet edge, -1 for edges that are not hinges; the inverse order of make_linkage.
+std::vector<int> hinge_of_edge(const CreasePattern& sheet);
+
+Configuration flat(const Linkage& linkage);
+Configuration goal(const Linkage& linkage);
+
+// The rigid motion that carries each panel from the flat state to `config`, roots at rest (eq. 2.3, read as R3). Loops
+// are not closed here: a foldable configuration agrees on them by itself. O(panels).
+std::vector<Pose> folding_map(const Linkage& linkage, const Configuration& config);
+
+// Number of hinges on the longest chain from a root.
+int chain_depth(const Linkage& linkage);
+
+}  // namespace plico
