@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace plico::cli {
@@ -19,10 +20,15 @@ struct Option {
   bool required = false;
   bool repeatable = false;
   std::function<void(const std::string&)> set;  // throws InvalidOption; a flag is set with "true"
+
+  bool is_positional() const { return !names.front().starts_with('-'); }
+  bool is_flag() const { return !is_positional() && value.empty(); }
+  const std::string& long_name() const { return names.back(); }  // as messages and reports call it
 };
 
 class Command {
  public:
+  // `name` is one word or two ("origami info").
   Command(std::string name, std::string summary);
 
   // At least three, shown first by --help.
@@ -30,20 +36,25 @@ class Command {
   Command& positional(const std::string& name, const std::string& help, std::string& target, bool required = true);
   Command& positional(const std::string& name, const std::string& help, std::vector<std::string>& target);
 
-  // `flags` is "-o,--output"; the default shown is the target's value now.
+  // `flags` is "-o,--output"; the default shown is the target's value now. Numbers must be finite and in the type's
+  // range.
   Command& flag(const std::string& flags, const std::string& help, bool& target);
+  Command& count(const std::string& flags, const std::string& help, int& target);  // a flag that may be repeated
   Command& option(const std::string& flags, const std::string& value, const std::string& help, std::string& target);
   Command& option(const std::string& flags, const std::string& value, const std::string& help, int& target);
   Command& option(const std::string& flags, const std::string& value, const std::string& help, double& target);
   Command& option(const std::string& flags, const std::string& value, const std::string& help, std::uint64_t& target);
   Command& option(const std::string& flags, const std::string& value, const std::string& help,
                   std::vector<std::string>& target);
+  // One of a few names; "shell" without dashes makes it a positional.
   Command& choice(const std::string& flags, const std::string& help, std::string& target,
                   std::vector<std::string> choices);
   // A length in millimetres: "150mm", "15cm", "6in"; a plain number is millimetres. NaN means not given.
   Command& length(const std::string& flags, const std::string& help, double& target_mm);
-  // An angle in radians: "30deg", "0.5rad"; a plain number is degrees.
+  // An angle in radians: "30deg", "0.5rad"; a plain number is degrees. NaN means not given.
   Command& angle(const std::string& flags, const std::string& help, double& target_radians);
+  // A duration in seconds: "30s", "2m"; a plain number is seconds. 0 means not given.
+  Command& duration(const std::string& flags, const std::string& help, double& target_seconds);
 
   // Runs the command; returns the exit code. The options' targets live as long as this function object.
   Command& action(std::function<int(Session&)> run);
@@ -52,6 +63,9 @@ class Command {
   std::vector<std::pair<std::string, std::string>> examples;
   std::vector<Option> options;  // positionals first
   std::function<int(Session&)> run;
+
+ private:
+  Command& add(Option option);
 };
 
 }  // namespace plico::cli

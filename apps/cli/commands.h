@@ -6,6 +6,9 @@
 
 namespace plico::cli {
 
+Command man_command();
+Command completions_command();
+
 std::vector<Command> all_commands();
 
 }  // namespace plico::cli

@@ -1,0 +1,15 @@
+#include "commands.h"
+
+#include "help.h"
+
+namespace plico::cli {
+
+std::vector<Command> all_commands() { return {man_command(), completions_command()}; }
+
+std::vector<std::pair<std::string, std::string>> program_examples() {
+  return {{"plico craft bird.obj -o bird", "from a mesh to printable pages, all in one folder"},
+          {"plico unfold bird.obj -o bird.fold", "only the net, in a FOLD file"},
+          {"plico man | man -l -", "everything there is to know"}};
+}
+
+}  // namespace plico::cli

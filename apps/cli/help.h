@@ -1,0 +1,20 @@
+// What --help prints.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "command.h"
+
+namespace plico::cli {
+
+std::string program_help(const std::vector<Command>& commands);
+std::string command_help(const Command& command);
+
+// Parts that the man page and the completions share with --help.
+std::string usage_line(const Command& command);  // "plico unfold [options] MESH"
+std::string shown_name(const Option& option);    // "MESH", "-o, --output FILE"
+std::string full_help(const Option& option);     // help, choices and default
+std::vector<std::pair<std::string, std::string>> program_examples();
+std::vector<std::pair<int, std::string>> exit_codes();
+
+}  // namespace plico::cli

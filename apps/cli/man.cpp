@@ -1,0 +1,82 @@
+// plico man: the manual page, from the same table as --help.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "commands.h"
+#include "help.h"
+#include "session.h"
+#include "shared_options.h"
+
+namespace plico::cli {
+namespace {
+
+// Text as roff reads it: no escapes, no line that looks like a request, minus signs that can be copied.
+std::string roff(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '\\')
+      result += "\\e";
+    else if (c == '-')
+      result += "\\-";
+    else
+      result += c;
+  }
+  if (result.starts_with('.') || result.starts_with('\'')) result.insert(0, "\\&");
+  return result;
+}
+
+std::string tagged(const std::string& tag, const std::string& text) {
+  const auto first = tag.find_first_not_of(' ');
+  return fmt::format(".TP\n\\fB{}\\fR\n{}\n", roff(tag.substr(first)), roff(text));
+}
+
+std::string examples_of(const std::vector<std::pair<std::string, std::string>>& examples) {
+  std::string text;
+  for (const auto& [line, what] : examples)
+    text += fmt::format(".PP\n{}:\n.PP\n.RS 4\n.nf\n{}\n.fi\n.RE\n", roff(what), roff(line));
+  return text;
+}
+
+std::string command_section(const Command& command) {
+  std::string text = fmt::format(".SS plico {}\n{}.\n.PP\n\\fB{}\\fR\n", roff(command.name), roff(command.summary),
+                                 roff(usage_line(command)));
+  for (const Option& option : command.options) text += tagged(shown_name(option), full_help(option));
+  return text + examples_of(command.examples);
+}
+
+std::string man_page(const std::vector<Command>& commands) {
+  std::string text = fmt::format(
+      ".TH PLICO 1 \"\" \"plico {}\" \"User Commands\"\n"
+      ".SH NAME\nplico \\- makes shapes foldable\n"
+      ".SH SYNOPSIS\n.B plico\n.I COMMAND\n[options]\n"
+      ".SH DESCRIPTION\nA mesh becomes something that folds, a motion, and something to hold.\n"
+      "Results go to files or standard output; everything else goes to standard error.\n"
+      "A file name of \\- means standard input or output.\n",
+      version());
+  text += ".SH EXAMPLES\n" + examples_of(program_examples());
+  text += ".SH COMMANDS\n";
+  for (const Command& command : commands) text += command_section(command);
+  text += ".SH OPTIONS OF EVERY COMMAND\n";
+  SharedOptions shared;
+  for (const Option& option : shared_options(shared)) text += tagged(shown_name(option), full_help(option));
+  text += tagged("-h, --help", "show examples and options");
+  text += ".SH EXIT STATUS\n";
+  for (const auto& [code, meaning] : exit_codes()) text += tagged(std::to_string(code), meaning);
+  return text;
+}
+
+}  // namespace
+
+Command man_command() {
+  return Command("man", "Write the manual page")
+      .example("plico man | man -l -", "read the manual")
+      .example("plico man -o plico.1", "keep it in a file")
+      .example("plico man | mandoc -T html > plico.html", "as a web page")
+      .action([](Session& session) {
+        for (const std::string& path : session.outputs("-")) session.write(path, man_page(all_commands()));
+        return int{kDone};
+      });
+}
+
+}  // namespace plico::cli

@@ -1,0 +1,12 @@
+// What somebody probably meant.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace plico::cli {
+
+// The known word nearest to `word` by edit distance (insert, delete, replace, swap neighbours); empty when all are too
+// different to be what was meant, that is more than a third of its letters away. Ties go to the first.
+std::string nearest_word(const std::string& word, const std::vector<std::string>& known);
+
+}  // namespace plico::cli

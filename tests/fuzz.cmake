@@ -1,0 +1,18 @@
+# One program a reader. With PLICO_FUZZ (clang) it is a libFuzzer target; otherwise it replays the corpus, so that every
+# input that ever failed is tried again by every build.
+file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/fuzz/*_fuzz.cpp)
+foreach(source ${sources})
+  get_filename_component(name ${source} NAME_WE)
+  string(REGEX REPLACE "_fuzz$" "" reader ${name})
+  set(corpus ${CMAKE_CURRENT_LIST_DIR}/corpus/${reader})
+  if(PLICO_FUZZ)
+    add_executable(fuzz_${reader} ${source})
+    target_link_options(fuzz_${reader} PRIVATE -fsanitize=fuzzer)
+  else()
+    add_executable(fuzz_${reader} ${source} ${CMAKE_CURRENT_LIST_DIR}/fuzz/replay_main.cpp)
+    add_test(NAME corpus/${reader} COMMAND fuzz_${reader} ${corpus})
+    set_tests_properties(corpus/${reader} PROPERTIES LABELS corpus TIMEOUT 120)
+  endif()
+  target_include_directories(fuzz_${reader} PRIVATE ${CMAKE_CURRENT_LIST_DIR})
+  target_link_libraries(fuzz_${reader} PRIVATE plico::plico)
+endforeach()
