@@ -1,5 +1,5 @@
-// Repeatable randomness: a stream belongs to (seed, purpose, index), never to a thread or a clock. The distributions are
-// ours because the standard ones differ between vendors.
+// Repeatable randomness: a stream belongs to (seed, purpose, index), never to a thread or a clock. The distributions
+// are ours because the standard ones differ between vendors.
 #pragma once
 #include <cstdint>
 
@@ -12,11 +12,11 @@ class Rng {
   // An independent stream for item `index` of one purpose; does not change this one.
   Rng stream(std::uint64_t index) const;
 
-  std::uint64_t next();                  // 64 random bits (xoshiro256++, Blackman and Vigna 2019)
-  double uniform();                      // in [0, 1)
+  std::uint64_t next();                     // 64 random bits (xoshiro256++, Blackman and Vigna 2019)
+  double uniform();                         // in [0, 1)
   double uniform(double low, double high);  // in [low, high)
-  double normal();                       // mean 0, variance 1 (Marsaglia's polar method)
-  int below(int n);                      // in [0, n), n >= 1, without modulo bias
+  double normal();                          // mean 0, variance 1 (Marsaglia's polar method)
+  int below(int n);                         // in [0, n), n >= 1, without modulo bias
 
  private:
   std::uint64_t state_[4];

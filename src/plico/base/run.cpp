@@ -10,10 +10,14 @@ namespace plico {
 
 std::string_view name(Ending ending) {
   switch (ending) {
-    case Ending::Found: return "found";
-    case Ending::Exhausted: return "exhausted";
-    case Ending::TimedOut: return "timed-out";
-    case Ending::Stopped: return "stopped";
+    case Ending::Found:
+      return "found";
+    case Ending::Exhausted:
+      return "exhausted";
+    case Ending::TimedOut:
+      return "timed-out";
+    case Ending::Stopped:
+      return "stopped";
   }
   return "unknown";
 }

@@ -15,9 +15,10 @@ std::vector<EdgeSides> edge_sides(const CreasePattern& pattern) {
       const std::pair<int, int> side{face[i], face[(i + 1) % face.size()]};
       const auto [at, added] = panel_along.emplace(side, f);
       if (!added)
-        throw InvalidInput("fold/side-used-twice",
-                           fmt::format("panels {} and {} lie on the same side of {}-{}", at->second, f, side.first, side.second),
-                           fmt::format("near {:.6g} {:.6g}", pattern.vertices[side.first].x(), pattern.vertices[side.first].y()));
+        throw InvalidInput(
+            "fold/side-used-twice",
+            fmt::format("panels {} and {} lie on the same side of {}-{}", at->second, f, side.first, side.second),
+            fmt::format("near {:.6g} {:.6g}", pattern.vertices[side.first].x(), pattern.vertices[side.first].y()));
     }
   }
   const auto find = [&](int a, int b) {

@@ -25,7 +25,7 @@ struct Crease {
 };
 
 struct CreasePattern {
-  std::vector<Vec2> vertices;           // n x 2
+  std::vector<Vec2> vertices;  // n x 2
   std::vector<Crease> edges;
   std::vector<std::vector<int>> faces;  // vertices of each panel, counter-clockwise, front up
 

@@ -12,14 +12,15 @@ namespace plico {
 using Configuration = Eigen::VectorXd;
 
 struct Hinge {
-  int left = -1, right = -1;  // panels: `left` lies left of from -> to, seen from the front
-  Vec3 from, to;              // the axis in the flat state
-  double target = 0;          // fold angle at the goal
+  int left = -1, right = -1;      // panels: `left` lies left of from -> to, seen from the front
+  Vec3 from, to;                  // the axis in the flat state
+  double target = 0;              // fold angle at the goal
   double low = -kPi, high = kPi;  // limits
 };
 
 struct Linkage {
-  std::vector<std::vector<Vec3>> panels;  // outlines in the flat state (z = 0), counter-clockwise seen from +z, the front
+  std::vector<std::vector<Vec3>>
+      panels;  // outlines in the flat state (z = 0), counter-clockwise seen from +z, the front
   std::vector<Hinge> hinges;
   double thickness = 0;  // of every panel, units; 0 is a sheet
 

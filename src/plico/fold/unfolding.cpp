@@ -9,21 +9,6 @@
 namespace plico {
 namespace {
 
-// The corners of a face in its own plane: first corner at the origin, first side along +x.
-std::vector<Vec2> flat_corners(const Mesh& mesh, FaceId f) {
-  const auto corners = mesh.corners(f);
-  const Vec3& origin = mesh.point(VertexId(corners[0]));
-  const Vec3 x = (mesh.point(VertexId(corners[1])) - origin).normalized();
-  const Vec3 y = normal(mesh, f).cross(x);
-  std::vector<Vec2> flat;
-  flat.reserve(corners.size());
-  for (int v : corners) {
-    const Vec3 d = mesh.point(VertexId(v)) - origin;
-    flat.emplace_back(d.dot(x), d.dot(y));
-  }
-  return flat;
-}
-
 // Lays one part after another while walking the trees.
 class Layout {
  public:
@@ -56,10 +41,12 @@ class Layout {
         if (!forest_.is_fold[mesh_.edge(h)]) continue;
         const HalfedgeId g = mesh_.twin(h);
         if (!g.valid())
-          throw InvalidInput("unfold/fold-on-boundary", fmt::format("boundary edge {} is marked as a fold", int(mesh_.edge(h))));
+          throw InvalidInput("unfold/fold-on-boundary",
+                             fmt::format("boundary edge {} is marked as a fold", int(mesh_.edge(h))));
         if (net_.part[mesh_.face(g)] >= 0) {
           if (net_vertex_[g] != net_vertex_[mesh_.next(h)] || net_vertex_[mesh_.next(g)] != net_vertex_[h])
-            throw InvalidInput("unfold/cycle", fmt::format("the fold edges around face {} close a cycle", int(mesh_.face(g))));
+            throw InvalidInput("unfold/cycle",
+                               fmt::format("the fold edges around face {} close a cycle", int(mesh_.face(g))));
           continue;  // the panel we came from
         }
         lay_beside(h, g);
@@ -120,7 +107,8 @@ class Layout {
         if (fold && edge_at[g] >= 0) continue;  // drawn from the other side
         edge_at[h] = net_.sheet.num_edges();
         const double angle = fold ? fold_angle(mesh_, e) : 0;
-        net_.sheet.edges.push_back({net_vertex_[h], net_vertex_[mesh_.next(h)], fold ? assignment_of(angle) : Assignment::Boundary, angle});
+        net_.sheet.edges.push_back(
+            {net_vertex_[h], net_vertex_[mesh_.next(h)], fold ? assignment_of(angle) : Assignment::Boundary, angle});
         net_.mesh_edge.push_back(e);
         net_.mate.push_back(-1);
         if (fold || !g.valid() || edge_at[g] < 0) continue;
@@ -138,6 +126,20 @@ class Layout {
 };
 
 }  // namespace
+
+std::vector<Vec2> flat_corners(const Mesh& mesh, FaceId face) {
+  const auto corners = mesh.corners(face);
+  const Vec3& origin = mesh.point(VertexId(corners[0]));
+  const Vec3 x = (mesh.point(VertexId(corners[1])) - origin).normalized();
+  const Vec3 y = normal(mesh, face).cross(x);
+  std::vector<Vec2> flat;
+  flat.reserve(corners.size());
+  for (int v : corners) {
+    const Vec3 d = mesh.point(VertexId(v)) - origin;
+    flat.emplace_back(d.dot(x), d.dot(y));
+  }
+  return flat;
+}
 
 int Unfolding::num_parts() const { return part.empty() ? 0 : *std::max_element(part.begin(), part.end()) + 1; }
 

@@ -16,8 +16,8 @@ struct FoldForest {
 };
 
 struct Unfolding {
-  CreasePattern sheet;           // flat, in the mesh's unit; panel f has the corners of mesh face mesh_face[f], in order
-  std::vector<int> mesh_face;    // of each panel
+  CreasePattern sheet;         // flat, in the mesh's unit; panel f has the corners of mesh face mesh_face[f], in order
+  std::vector<int> mesh_face;  // of each panel
   std::vector<int> mesh_vertex;  // of each net vertex
   std::vector<int> mesh_edge;    // of each sheet edge
   std::vector<int> mate;         // of each sheet edge: the edge it is glued to, -1 for none
@@ -27,9 +27,12 @@ struct Unfolding {
 
 // Lays the trees of `forest` flat: panel i is mesh face i; each part starts at its lowest face, whose first side lies
 // along +x from the origin, and the parts stand side by side in x. Edges are numbered in the order of panels and sides.
-// Positions are rigid motions of the mesh's faces, composed along the tree: a relative rounding error of about 1e-16 per
-// step. Throws InvalidInput when the forest has a cycle or crosses a boundary edge. O(n).
+// Positions are rigid motions of the mesh's faces, composed along the tree: a relative rounding error of about 1e-16
+// per step. Throws InvalidInput when the forest has a cycle or crosses a boundary edge. O(n).
 Unfolding lay_flat(const Mesh& mesh, const FoldForest& forest);
+
+// The corners of a face in its own plane: first corner at the origin, first side along +x, counter-clockwise.
+std::vector<Vec2> flat_corners(const Mesh& mesh, FaceId face);
 
 // The forest of an unfolding; lay_flat(mesh, forest_of(...)) is the same net up to rigid motions of its parts.
 FoldForest forest_of(const Mesh& mesh, const Unfolding& unfolding);

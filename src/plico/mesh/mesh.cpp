@@ -17,7 +17,8 @@ void check_face(const PolygonSoup& soup, int f) {
     throw InvalidInput("mesh/face-size", fmt::format("face {} has {} corners, at least 3 are needed", f, face.size()));
   for (int v : face)
     if (v < 0 || v >= soup.num_points())
-      throw InvalidInput("mesh/index", fmt::format("face {} uses vertex {}, must be in [0, {}]", f, v, soup.num_points() - 1));
+      throw InvalidInput("mesh/index",
+                         fmt::format("face {} uses vertex {}, must be in [0, {}]", f, v, soup.num_points() - 1));
   std::vector<int> sorted(face.begin(), face.end());
   std::sort(sorted.begin(), sorted.end());
   const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
@@ -71,9 +72,10 @@ void Mesh::find_twins() {
     if (end - i == 2) {
       const int g = order[i], h = order[i + 1];
       if (soup_.corners[g] == soup_.corners[h])
-        throw InvalidInput("mesh/orientation",
-                           fmt::format("faces {} and {} run along edge {}-{} in the same direction", face_[g], face_[h], a, b),
-                           describe_edge(soup_, a, b), "plico check --repair");
+        throw InvalidInput(
+            "mesh/orientation",
+            fmt::format("faces {} and {} run along edge {}-{} in the same direction", face_[g], face_[h], a, b),
+            describe_edge(soup_, a, b), "plico check --repair");
       twin_[g] = h;
       twin_[h] = g;
     }

@@ -10,8 +10,8 @@
 
 namespace plico {
 
-// An oriented 2-manifold, with or without boundary, of any genus and any number of components; faces are planar polygons,
-// counter-clockwise seen from outside. Immutable.
+// An oriented 2-manifold, with or without boundary, of any genus and any number of components; faces are planar
+// polygons, counter-clockwise seen from outside. Immutable.
 //
 // Halfedge h runs along one side of a face: from(h) -> to(h), with face(h) on its left. Halfedges of a face are
 // numbered consecutively, in the order of its corners. twin(h) runs the other way in the neighbouring face and is

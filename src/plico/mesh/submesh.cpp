@@ -1,0 +1,26 @@
+#include "plico/mesh/submesh.h"
+
+namespace plico {
+
+Submesh component(const Mesh& mesh, const Components& components, int which) {
+  Submesh part;
+  PolygonSoup soup;
+  soup.points = mesh.soup().points;
+  for (FaceId f : mesh.faces()) {
+    if (components.of_face[f] != which) continue;
+    part.face.push_back(f);
+    soup.add_face(mesh.corners(f));
+  }
+  part.mesh = Mesh(std::move(soup));
+  part.edge.resize(part.mesh.num_edges());
+  for (FaceId f : part.mesh.faces()) {
+    HalfedgeId whole = *mesh.halfedges(FaceId(part.face[f])).begin();
+    for (HalfedgeId h : part.mesh.halfedges(f)) {
+      part.edge[part.mesh.edge(h)] = mesh.edge(whole);
+      whole = mesh.next(whole);
+    }
+  }
+  return part;
+}
+
+}  // namespace plico

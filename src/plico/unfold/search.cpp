@@ -1,0 +1,210 @@
+#include "plico/unfold/search.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <span>
+
+#include "plico/base/error.h"
+#include "plico/base/rng.h"
+#include "plico/mesh/submesh.h"
+#include "plico/unfold/dual_tree.h"
+#include "plico/unfold/grow.h"
+#include "plico/unfold/heuristics.h"
+#include "plico/unfold/overlap.h"
+#include "plico/unfold/parts.h"
+
+namespace plico {
+namespace {
+
+// Weights by which trees are grown, best first (measured over the meshes of bench/unfold).
+constexpr std::array kGrowBy = {Heuristic::MinimumPerimeter, Heuristic::UnsteepestEdge, Heuristic::SteepestEdge,
+                                Heuristic::FlatTree, Heuristic::Random};
+
+// A way to hang a subtree: cut it off above `panel`, hang it by `side`.
+struct Hanging {
+  int panel = -1, side = -1;
+  int change = std::numeric_limits<int>::max();  // of the number of overlaps
+};
+
+// The search within one connected mesh.
+class Search {
+ public:
+  Search(const FlatFaces& faces, DualTree& tree, const SearchOptions& options, Rng rng, const Run& run)
+      : mesh_(faces.mesh()), tree_(tree), options_(options), rng_(rng), run_(run), tabu_until_(mesh_.num_edges(), -1) {}
+
+  Ending go(long& steps) {
+    while (tree_.num_overlaps() > 0) {
+      if (steps >= options_.max_steps) return Ending::Exhausted;
+      if (steps % 64 == 0 && run_.over()) return run_.ending();
+      if (steps % 4096 == 0) {
+        tree_.balance();
+        run_.report("untangling panels", steps, 0, fmt::format("{} overlaps left", tree_.num_overlaps()));
+      }
+      step_ = steps++;
+      resolve(pick_pair());
+    }
+    return Ending::Found;
+  }
+
+ private:
+  std::pair<int, int> pick_pair() {
+    const auto panels = tree_.overlapping_panels();
+    const int a = panels[rng_.below(static_cast<int>(panels.size()))];
+    const auto partners = tree_.overlapping(a);
+    return {a, partners[rng_.below(static_cast<int>(partners.size()))]};
+  }
+
+  // Tries the folds on the tree path between the two panels, those with the smallest subtrees first.
+  void resolve(std::pair<int, int> pair) {
+    Hanging best;
+    long looked = 0;
+    for (int panel : subtrees_between(pair.first, pair.second)) {
+      if (looked > (best.change < 0 ? options_.effort / 4 : options_.effort) && best.panel >= 0) break;
+      try_hangings(panel, best, looked);
+    }
+    if (best.panel < 0) return;
+    tree_.gather(best.panel);
+    tabu_until_[mesh_.edge(HalfedgeId(tree_.parent_side(best.panel)))] =
+        step_ + options_.tabu_tenure + rng_.below(std::max(options_.tabu_tenure, 1));
+    tree_.hang(best.side);
+  }
+
+  const std::vector<int>& subtrees_between(int a, int b) {
+    between_.clear();
+    while (a != b) {
+      int& lower = tree_.depth(a) >= tree_.depth(b) ? a : b;
+      between_.push_back(lower);
+      lower = tree_.parent(lower);
+    }
+    std::sort(between_.begin(), between_.end(),
+              [&](int p, int q) { return std::pair(tree_.subtree_size(p), p) < std::pair(tree_.subtree_size(q), q); });
+    return between_;
+  }
+
+  // All sides by which the subtree could hang, a random few when it is large; ties are broken evenly.
+  void try_hangings(int panel, Hanging& best, long& looked) {
+    const auto subtree = tree_.gather(panel);
+    const int before = tree_.overlaps_with_rest();
+    collect_sides(subtree, tree_.parent_side(panel));
+    choose_some(std::max(4, options_.effort / static_cast<int>(subtree.size())));
+    for (int side : sides_) {
+      const int limit = best.panel < 0 ? std::numeric_limits<int>::max() : before + best.change + 1;
+      if (limit <= 0) return;
+      const int change = tree_.overlaps_if_hung(side, limit, looked) - before;
+      if (change > best.change) continue;
+      ties_ = change < best.change ? 1 : ties_ + 1;
+      if (rng_.below(ties_) == 0) best = {panel, side, change};
+    }
+  }
+
+  void collect_sides(std::span<const int> subtree, int hangs_by) {
+    sides_.clear();
+    for (int f : subtree) {
+      for (HalfedgeId h : mesh_.halfedges(FaceId(f))) {
+        const HalfedgeId g = mesh_.twin(h);
+        if (!g.valid() || tree_.gathered(mesh_.face(g)) || h == hangs_by) continue;
+        if (tabu_until_[mesh_.edge(h)] <= step_) sides_.push_back(h);
+      }
+    }
+  }
+
+  void choose_some(int most) {
+    const int n = static_cast<int>(sides_.size());
+    if (n <= most) return;
+    for (int i = 0; i < most; ++i) std::swap(sides_[i], sides_[i + rng_.below(n - i)]);
+    sides_.resize(most);
+  }
+
+  const Mesh& mesh_;
+  DualTree& tree_;
+  const SearchOptions& options_;
+  Rng rng_;
+  const Run& run_;
+  std::vector<long> tabu_until_;  // by edge: the step from which it may become a fold again
+  std::vector<int> between_, sides_;
+  long step_ = 0;
+  int ties_ = 1;
+};
+
+struct Start {
+  FoldForest tree;
+  int overlaps = std::numeric_limits<int>::max();
+};
+
+Start best_start(const FlatFaces& faces, const SearchOptions& options, const Rng& rng, const Run& run) {
+  std::vector<Start> starts(options.starts);
+  parallel_for(run, options.starts, [&](int i) {
+    if (i > 0 && run.over()) return;
+    Rng own = rng.stream(i);
+    const Heuristic heuristic = kGrowBy[i % kGrowBy.size()];
+    const Vec3 direction = random_direction(own);
+    const auto weights = dual_weights(faces.mesh(), heuristic, direction, own);
+    starts[i].tree = grow_tree(faces, weights, own.below(faces.mesh().num_faces()));
+    starts[i].overlaps = static_cast<int>(overlapping_pairs(faces, lay_panels(faces, starts[i].tree)).size());
+  });
+  return *std::min_element(starts.begin(), starts.end(),
+                           [](const Start& a, const Start& b) { return a.overlaps < b.overlaps; });
+}
+
+std::vector<std::pair<int, int>> overlaps_of(const DualTree& tree) {
+  std::vector<std::pair<int, int>> pairs;
+  for (int a : tree.overlapping_panels())
+    for (int b : tree.overlapping(a))
+      if (a < b) pairs.emplace_back(a, b);
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+// One connected mesh; face and edge numbers are its own.
+SearchResult find_connected(const Mesh& mesh, const SearchOptions& options, const Rng& rng, const Run& run) {
+  const FlatFaces faces(mesh);
+  SearchResult result;
+  Start start = best_start(faces, options, rng, run);
+  result.start_overlaps = start.overlaps;
+  for (result.ending = Ending::Found; start.overlaps > 0 && result.ending == Ending::Found;) {
+    DualTree tree(faces, start.tree);
+    result.ending = Search(faces, tree, options, rng.stream(options.starts + result.steps), run).go(result.steps);
+    if (result.ending != Ending::Found) result.in_the_way = overlaps_of(tree);
+    start.tree = tree.forest();
+    // Laid out afresh, without the rounding of many moves.
+    start.overlaps = static_cast<int>(overlapping_pairs(faces, lay_panels(faces, start.tree)).size());
+  }
+  result.forest = part_overlaps(faces, start.tree);
+  return result;
+}
+
+int count_parts(const Mesh& mesh, const FoldForest& forest) {
+  return mesh.num_faces() - static_cast<int>(std::count(forest.is_fold.begin(), forest.is_fold.end(), 1));
+}
+
+}  // namespace
+
+void check(const SearchOptions& options) {
+  if (options.starts < 1) throw InvalidOption(fmt::format("starts = {} must be at least 1", options.starts));
+  if (options.tabu_tenure < 0)
+    throw InvalidOption(fmt::format("tabu-tenure = {} must be at least 0", options.tabu_tenure));
+  if (options.effort < 1) throw InvalidOption(fmt::format("effort = {} must be at least 1", options.effort));
+  if (options.max_steps < 0) throw InvalidOption(fmt::format("max-steps = {} must be at least 0", options.max_steps));
+}
+
+SearchResult find_net(const Mesh& mesh, const SearchOptions& options, const Run& run) {
+  check(options);
+  const Components parts = components(mesh);
+  SearchResult whole;
+  whole.ending = Ending::Found;
+  whole.forest.is_fold.assign(mesh.num_edges(), 0);
+  for (int c = 0; c < parts.count; ++c) {
+    const Submesh part = component(mesh, parts, c);
+    const SearchResult own = find_connected(part.mesh, options, Rng(options.seed).stream(c), run);
+    if (own.ending != Ending::Found) whole.ending = own.ending;
+    whole.start_overlaps += own.start_overlaps;
+    whole.steps += own.steps;
+    for (EdgeId e : part.mesh.edges()) whole.forest.is_fold[part.edge[e]] = own.forest.is_fold[e];
+    for (const auto& [a, b] : own.in_the_way) whole.in_the_way.emplace_back(part.face[a], part.face[b]);
+  }
+  whole.parts = count_parts(mesh, whole.forest);
+  return whole;
+}
+
+}  // namespace plico
