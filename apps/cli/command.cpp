@@ -145,8 +145,8 @@ Command& Command::choice(const std::string& flags, const std::string& help, std:
   option.set = [&target, allowed = option.choices](const std::string& text) {
     if (std::ranges::find(allowed, text) == allowed.end()) {
       const std::string nearest = nearest_word(text, allowed);
-      throw InvalidOption(fmt::format("'{}' is not one of {}", text, fmt::join(allowed, ", ")),
-                          nearest.empty() ? "" : fmt::format("did you mean '{}'?", nearest));
+      throw InvalidOption(
+          fmt::format("'{}' is not one of {}{}", text, fmt::join(allowed, ", "), did_you_mean(nearest)));
     }
     target = text;
   };

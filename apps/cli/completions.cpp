@@ -118,7 +118,9 @@ std::string bash(const std::vector<Entry>& all) {
 
 std::string zsh_option(const Option& option) {
   const std::string help = option.help;
-  std::string action = option.choices.empty() ? "_files" : fmt::format("({})", fmt::join(option.choices, " "));
+  const bool path = option.value == "FILE" || option.value == "DIR" || option.value == "PATH";
+  const std::string action =
+      option.choices.empty() ? path ? "_files" : " " : fmt::format("({})", fmt::join(option.choices, " "));
   const std::string escaped = quoted("[" + help + "]", ":").substr(1);
   const std::string value = option.is_flag() ? "'" : fmt::format(":{}:{}'", option.value, action);
   const std::string tail = escaped.substr(0, escaped.size() - 1) + value;

@@ -14,27 +14,6 @@ namespace {
 using Rows = std::vector<std::pair<std::string, std::string>>;
 constexpr std::size_t kLine = 100, kMaxLeft = 30;
 
-// `text` broken at spaces so that, indented by `indent`, no line is longer than kLine; the first line is not indented.
-std::string wrapped(const std::string& text, std::size_t indent) {
-  std::string result;
-  std::size_t column = indent, begin = 0;
-  while (begin < text.size()) {
-    const std::size_t end = std::min(text.find(' ', begin), text.size());
-    const std::size_t length = end - begin;
-    if (column > indent && column + 1 + length > kLine) {
-      result += "\n" + std::string(indent, ' ');
-      column = indent;
-    } else if (column > indent) {
-      result += ' ';
-      ++column;
-    }
-    result += text.substr(begin, length);
-    column += length;
-    begin = end + 1;
-  }
-  return result;
-}
-
 std::string two_columns(const Rows& rows) {
   std::size_t width = 0;
   for (const auto& [left, right] : rows)
@@ -44,7 +23,7 @@ std::string two_columns(const Rows& rows) {
   for (const auto& [left, right] : rows) {
     text += "  " + left;
     text += left.size() <= width ? std::string(width - left.size() + 2, ' ') : "\n" + std::string(indent, ' ');
-    text += wrapped(right, indent) + "\n";
+    text += wrapped(right, indent, kLine) + "\n";
   }
   return text;
 }
@@ -69,6 +48,26 @@ std::string upper(std::string text) {
 }
 
 }  // namespace
+
+std::string wrapped(const std::string& text, std::size_t indent, std::size_t width) {
+  std::string result;
+  std::size_t column = indent, begin = 0;
+  while (begin < text.size()) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    const std::size_t length = end - begin;
+    if (column > indent && column + 1 + length > width) {
+      result += "\n" + std::string(indent, ' ');
+      column = indent;
+    } else if (column > indent) {
+      result += ' ';
+      ++column;
+    }
+    result += text.substr(begin, length);
+    column += length;
+    begin = end + 1;
+  }
+  return result;
+}
 
 std::string shown_name(const Option& option) {
   if (option.is_positional()) return upper(option.names.front()) + (option.repeatable ? "..." : "");
@@ -110,7 +109,7 @@ std::string command_help(const Command& command) {
   SharedOptions shared;
   std::vector<Option> others = with_shared_options(command, shared);
   others.erase(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(command.options.size()));
-  return example_lines(command.examples) + "\n" + wrapped(command.summary + ".", 0) +
+  return example_lines(command.examples) + "\n" + wrapped(command.summary + ".", 0, kLine) +
          "\n\nUsage: " + usage_line(command) + "\n" + section("Arguments", command.options, true) +
          section("Options", command.options, false) + section("Options of every command", others, false);
 }

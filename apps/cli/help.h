@@ -10,6 +10,10 @@ namespace plico::cli {
 std::string program_help(const std::vector<Command>& commands);
 std::string command_help(const Command& command);
 
+// `text` broken at spaces so that no line, indented by `indent`, is longer than `width`; the first line is not
+// indented.
+std::string wrapped(const std::string& text, std::size_t indent, std::size_t width);
+
 // Parts that the man page and the completions share with --help.
 std::string usage_line(const Command& command);  // "plico unfold [options] MESH"
 std::string shown_name(const Option& option);    // "MESH", "-o, --output FILE"

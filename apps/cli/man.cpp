@@ -1,7 +1,7 @@
 // plico man: the manual page, from the same table as --help.
 #include <fmt/format.h>
 
-#include <memory>
+#include <sstream>
 
 #include "commands.h"
 #include "help.h"
@@ -26,35 +26,44 @@ std::string roff(const std::string& text) {
   return result;
 }
 
-std::string tagged(const std::string& tag, const std::string& text) {
-  const auto first = tag.find_first_not_of(' ');
-  return fmt::format(".TP\n\\fB{}\\fR\n{}\n", roff(tag.substr(first)), roff(text));
+// Running text in short lines.
+std::string prose(const std::string& text) {
+  std::string result;
+  std::istringstream lines(wrapped(text, 0, 72));
+  for (std::string line; std::getline(lines, line);) result += roff(line) + "\n";
+  return result;
 }
 
-std::string examples_of(const std::vector<std::pair<std::string, std::string>>& examples) {
+std::string tagged(const std::string& tag, const std::string& text) {
+  const auto first = tag.find_first_not_of(' ');
+  return fmt::format(".TP\n\\fB{}\\fR\n{}", roff(tag.substr(first)), prose(text));
+}
+
+std::string examples_of(const std::vector<std::pair<std::string, std::string>>& examples, const char* before_first) {
   std::string text;
   for (const auto& [line, what] : examples)
-    text += fmt::format(".PP\n{}:\n.PP\n.RS 4\n.nf\n{}\n.fi\n.RE\n", roff(what), roff(line));
+    text += fmt::format("{}{}.PP\n.RS 4\n.nf\n{}\n.fi\n.RE\n", text.empty() ? before_first : ".PP\n", prose(what + ":"),
+                        roff(line));
   return text;
 }
 
 std::string command_section(const Command& command) {
-  std::string text = fmt::format(".SS plico {}\n{}.\n.PP\n\\fB{}\\fR\n", roff(command.name), roff(command.summary),
+  std::string text = fmt::format(".SS plico {}\n{}.PP\n\\fB{}\\fR\n", roff(command.name), prose(command.summary + "."),
                                  roff(usage_line(command)));
   for (const Option& option : command.options) text += tagged(shown_name(option), full_help(option));
-  return text + examples_of(command.examples);
+  return text + examples_of(command.examples, ".PP\n");
 }
 
 std::string man_page(const std::vector<Command>& commands) {
   std::string text = fmt::format(
-      ".TH PLICO 1 \"\" \"plico {}\" \"User Commands\"\n"
+      ".TH PLICO 1 {} \"plico {}\" \"User Commands\"\n"
       ".SH NAME\nplico \\- makes shapes foldable\n"
       ".SH SYNOPSIS\n.B plico\n.I COMMAND\n[options]\n"
       ".SH DESCRIPTION\nA mesh becomes something that folds, a motion, and something to hold.\n"
       "Results go to files or standard output; everything else goes to standard error.\n"
       "A file name of \\- means standard input or output.\n",
-      version());
-  text += ".SH EXAMPLES\n" + examples_of(program_examples());
+      PLICO_RELEASE_DATE, version());
+  text += ".SH EXAMPLES\n" + examples_of(program_examples(), "");
   text += ".SH COMMANDS\n";
   for (const Command& command : commands) text += command_section(command);
   text += ".SH OPTIONS OF EVERY COMMAND\n";

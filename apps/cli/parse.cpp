@@ -28,8 +28,7 @@ CLI::Option* declare(CLI::App& app, const Option& option) {
     if (!option.is_positional()) known.insert(known.end(), option.names.begin(), option.names.end());
   const std::string name = word.substr(0, word.find('='));
   const std::string nearest = name.size() > 2 ? nearest_word(name, known) : "";
-  throw InvalidOption(fmt::format("unknown option '{}'", name),
-                      nearest.empty() ? help_of(command) : fmt::format("did you mean '{}'?", nearest));
+  throw InvalidOption(fmt::format("unknown option '{}'{}", name, did_you_mean(nearest)), help_of(command));
 }
 
 void set(const Option& option, const std::string& value) {

@@ -82,8 +82,7 @@ std::pair<const Command*, int> find_command(const std::vector<Command>& commands
   std::vector<std::string> names;
   for (const Command& command : commands) names.push_back(command.name);
   const std::string nearest = nearest_word(words[0], names);
-  throw InvalidOption(fmt::format("'{}' is not a command of plico", words[0]),
-                      nearest.empty() ? "plico --help" : "plico " + nearest);
+  throw InvalidOption(fmt::format("'{}' is not a command of plico{}", words[0], did_you_mean(nearest)), "plico --help");
 }
 
 int run_command(const Command& command, const std::vector<std::string>& words) {

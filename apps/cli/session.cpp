@@ -204,7 +204,8 @@ void Session::print(std::string_view text) const {
 
 void Session::finish(int exit_code) {
   state_->progress.reset();
-  const bool worth_repeating = state_->seed_used || !state_->written.empty();
+  const bool worth_repeating =
+      state_->seed_used || std::ranges::any_of(state_->written, [](const auto& path) { return path != "-"; });
   nlohmann::json& report = state_->report;
   report["plico"] = version();
   report["command"] = state_->command;

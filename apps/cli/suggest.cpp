@@ -33,4 +33,8 @@ std::string nearest_word(const std::string& word, const std::vector<std::string>
   return best;
 }
 
+std::string did_you_mean(const std::string& nearest) {
+  return nearest.empty() ? "" : ", did you mean '" + nearest + "'?";
+}
+
 }  // namespace plico::cli

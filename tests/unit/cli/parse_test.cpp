@@ -86,10 +86,12 @@ TEST(Parse, TellsWhatWasGiven) {
 }
 
 TEST(Parse, MisspeltWordsGetSuggestions) {
-  EXPECT_EQ(Sample().error({"a.obj", "--sede", "3"}), "unknown option '--sede' / did you mean '--seed'?");
-  EXPECT_EQ(Sample().error({"a.obj", "--sede=3"}), "unknown option '--sede' / did you mean '--seed'?");
+  EXPECT_EQ(Sample().error({"a.obj", "--sede", "3"}),
+            "unknown option '--sede', did you mean '--seed'? / plico sample --help");
+  EXPECT_EQ(Sample().error({"a.obj", "--sede=3"}),
+            "unknown option '--sede', did you mean '--seed'? / plico sample --help");
   EXPECT_EQ(Sample().error({"a.obj", "--method", "gredy"}),
-            "--method: 'gredy' is not one of greedy, search / did you mean 'greedy'?");
+            "--method: 'gredy' is not one of greedy, search, did you mean 'greedy'? / ");
   EXPECT_EQ(Sample().error({"a.obj", "--colour"}), "unknown option '--colour' / plico sample --help");
   EXPECT_EQ(Sample().error({"a.obj", "-x"}), "unknown option '-x' / plico sample --help");
 }
