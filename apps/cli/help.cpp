@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "plico/base/version.h"
 #include "session.h"
 #include "shared_options.h"
 

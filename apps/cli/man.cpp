@@ -5,6 +5,7 @@
 
 #include "commands.h"
 #include "help.h"
+#include "plico/base/version.h"
 #include "session.h"
 #include "shared_options.h"
 

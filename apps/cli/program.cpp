@@ -8,6 +8,7 @@
 #include "help.h"
 #include "parse.h"
 #include "plico/base/error.h"
+#include "plico/base/version.h"
 #include "session.h"
 #include "shared_options.h"
 #include "suggest.h"

@@ -10,6 +10,7 @@
 
 #include "plico/base/error.h"
 #include "plico/base/sha256.h"
+#include "plico/base/version.h"
 #include "plico/io/file.h"
 #include "progress.h"
 #include "stop_signal.h"
@@ -84,8 +85,6 @@ std::string Session::State::command_line(bool only_deciding) const {
   if (seed_used && !has_seed) line += fmt::format(" --seed {}", shared.seed);
   return line;
 }
-
-std::string version() { return PLICO_VERSION; }
 
 Session::Session(SharedOptions shared, std::string command, std::vector<Given> given)
     : state_(std::make_unique<State>()) {

@@ -35,8 +35,6 @@ struct SharedOptions {
   double time_limit = 0;  // seconds; 0: none
 };
 
-std::string version();  // "0.1.0"
-
 class Session {
  public:
   // From here on Ctrl-C and SIGTERM ask the run to stop; a second one ends the program at once. The time limit starts.
