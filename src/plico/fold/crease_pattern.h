@@ -41,6 +41,9 @@ struct EdgeSides {
 };
 std::vector<EdgeSides> edge_sides(const CreasePattern& pattern);
 
+// The connected piece of every panel, 0..k-1, numbered by first panel. Throws as edge_sides does.
+std::vector<int> parts_of(const CreasePattern& pattern);
+
 // Corners of a panel in the plane.
 std::vector<Vec2> polygon(const CreasePattern& pattern, int face);
 
