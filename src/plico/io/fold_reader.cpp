@@ -460,13 +460,15 @@ void keep_other_keys(const Json& sheet, FoldFile& file) {
 }
 
 // The sheet in frame `chosen` becomes the key frame and the key frame takes its place, so every other frame keeps its
-// number; what `frame` says about its parent follows.
-Json swapped_frame(const Json& frame, std::size_t chosen) {
+// number; what frame `number` says about its parent follows. (A key frame has no parent, whatever it says.)
+Json swapped_frame(const Json& frame, std::size_t number, std::size_t chosen) {
+  const bool was_key = number == chosen;
   Json kept = Json::object();
   for (const auto& [key, value] : frame.items())
-    if (!key.starts_with("file_")) kept[key] = value;
-  const Json parent =
-      kept.value("frame_parent", Json(kept.value("frame_inherit", Json()) == Json(true) ? Json(0) : Json()));
+    if (!key.starts_with("file_") && !(was_key && (key == "frame_parent" || key == "frame_inherit"))) kept[key] = value;
+  if (was_key) return kept;
+  const bool inherits = kept.value("frame_inherit", Json()) == Json(true);
+  const Json parent = kept.value("frame_parent", inherits ? Json(0) : Json());
   if (parent == Json(0)) kept["frame_parent"] = chosen;
   if (parent == Json(chosen)) kept["frame_parent"] = 0;
   return kept;
@@ -495,7 +497,7 @@ FoldFile read_fold(std::string_view bytes, const std::string& name) {
     if (key.starts_with("file_") && !is_ours(key)) file.other.emplace_back(key, value.dump());
   std::sort(file.other.begin(), file.other.end());
   for (std::size_t i = 1; i < all.size(); ++i)
-    file.other_frames.push_back(swapped_frame(all[i == chosen ? 0 : i].own(), chosen).dump());
+    file.other_frames.push_back(swapped_frame(all[i == chosen ? 0 : i].own(), i, chosen).dump());
   return file;
 }
 
