@@ -132,18 +132,49 @@ Configuration goal(const Linkage& linkage) {
 }
 
 std::vector<Pose> folding_map(const Linkage& linkage, const Configuration& config) {
+  std::vector<Pose> poses;
+  folding_map(linkage, config, poses);
+  return poses;
+}
+
+void folding_map(const Linkage& linkage, const Configuration& config, std::vector<Pose>& poses) {
   PLICO_ASSERT(config.size() == linkage.num_hinges());
-  std::vector<Pose> poses(linkage.panels.size(), Pose::Identity());
+  poses.resize(linkage.panels.size());
   for (int p : linkage.order) {
     const int h = linkage.parent_hinge[p];
-    if (h < 0) continue;
+    if (h < 0) {
+      poses[p].setIdentity();
+      continue;
+    }
     const Hinge& hinge = linkage.hinges[h];
     // Turning the right panel up (a valley) is a left-handed turn about from -> to.
     const double angle = p == hinge.right ? -config[h] : config[h];
-    poses[p] = poses[linkage.parent_panel[p]] * rotation_about(hinge.from, hinge.to, angle);
+    const Pose& parent = poses[linkage.parent_panel[p]];
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, (hinge.to - hinge.from).normalized()).toRotationMatrix();
+    poses[p].linear().noalias() = parent.linear() * turn;
+    poses[p].translation() = parent.linear() * (hinge.from - turn * hinge.from) + parent.translation();
+    poses[p].makeAffine();
   }
-  return poses;
 }
+
+std::vector<int> parts(const Linkage& linkage) {
+  std::vector<int> part(linkage.panels.size(), -1);
+  int count = 0;
+  for (int p : linkage.order) part[p] = linkage.parent_panel[p] < 0 ? count++ : part[linkage.parent_panel[p]];
+  return part;
+}
+
+double mean_side_length(const Linkage& linkage) {
+  double sum = 0;
+  long count = 0;
+  for (const std::vector<Vec3>& outline : linkage.panels) {
+    for (std::size_t i = 0; i < outline.size(); ++i) sum += (outline[(i + 1) % outline.size()] - outline[i]).norm();
+    count += static_cast<long>(outline.size());
+  }
+  return count > 0 ? sum / static_cast<double>(count) : 0;
+}
+
+double default_clearance(const Linkage& linkage) { return 1e-3 * mean_side_length(linkage); }
 
 int chain_depth(const Linkage& linkage) {
   std::vector<int> depth(linkage.panels.size(), 0);

@@ -54,6 +54,13 @@ Configuration goal(const Linkage& linkage);
 // The rigid motion that carries each panel from the flat state to `config`, roots at rest (eq. 2.3, read as R3). Loops
 // are not closed here: a foldable configuration agrees on them by itself. O(panels).
 std::vector<Pose> folding_map(const Linkage& linkage, const Configuration& config);
+void folding_map(const Linkage& linkage, const Configuration& config, std::vector<Pose>& poses);  // no allocation
+
+// The part of each panel, 0..k-1: panels that hinges connect, however far, are one part. O(panels).
+std::vector<int> parts(const Linkage& linkage);
+
+double mean_side_length(const Linkage& linkage);   // units; a hinge counts once for each of its panels
+double default_clearance(const Linkage& linkage);  // 1e-3 of the mean side length: see motion/collision.h
 
 // Number of hinges on the longest chain from a root.
 int chain_depth(const Linkage& linkage);

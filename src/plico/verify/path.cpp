@@ -1,0 +1,341 @@
+#include "plico/verify/path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <limits>
+#include <map>
+#include <optional>
+
+#include "plico/base/error.h"
+#include "plico/verify/proof_plates.h"
+#include "plico/verify/separation.h"
+
+namespace plico {
+namespace {
+
+constexpr int kMaxBulkHalvings = 12;  // time intervals of 1/4096 are short enough to look at pairs one by one
+constexpr int kPairsPerPlate = 10;    // that the boxes leave over before an interval is halved instead
+
+struct PlatePair {
+  int a, b;        // plates
+  int frame;       // panel from which they are looked at, -1: the world
+  Vec3 direction;  // in that frame: separated the pair when last looked at
+};
+
+// A side on which a pair touched, and until when.
+struct Contact {
+  double until;
+  Vec3 direction;
+};
+
+class Proof {
+ public:
+  Proof(const Linkage& linkage, PanelMotion& motion, const PathProofOptions& options, const Run& run)
+      : motion_(motion), options_(options), run_(run) {
+    proof_.clearance = options.clearance > 0 ? options.clearance : default_clearance(linkage);
+    proof_.touch = options.touch > 0 ? options.touch : 1e-3 * proof_.clearance;
+    proof_.rounding = 2 * motion.rounding();
+    plates_ = proof_plates(linkage, proof_.clearance);
+    boxes_.resize(plates_.corners.size());
+    order_.resize(plates_.corners.size());
+    for (std::size_t i = 0; i < order_.size(); ++i) order_[i] = static_cast<int>(i);
+  }
+
+  PathProof run() {
+    proof_.verdict = PathVerdict::Free;
+    std::vector<Pose>& start = level(0).first;
+    std::vector<Pose>& end = level(0).second;
+    start.resize(plates_.num_panels);
+    end.resize(plates_.num_panels);
+    motion_.place(0, {}, start);
+    motion_.place(1, {}, end);
+    all_pairs(0, 1, start, end, 0);
+    return proof_;
+  }
+
+ private:
+  using Poses = std::vector<Pose>;
+
+  // Poses in the middle of the intervals of one depth of halving; a deque, so that references stay valid.
+  std::pair<Poses, Poses>& level(int depth) {
+    while (static_cast<int>(middles_.size()) <= depth) middles_.emplace_back();
+    return middles_[depth];
+  }
+
+  bool done() {
+    if (proof_.verdict != PathVerdict::Free) return true;
+    if (!run_.over()) return false;
+    proof_.interrupted = true;
+    return true;
+  }
+
+  // All pairs of plates on [start, end]: boxes dismiss most of them, or the interval is halved.
+  void all_pairs(double start, double end, const Poses& at_start, const Poses& at_end, int depth) {
+    if (done()) return interrupt(start);
+    run_.report("proof", std::lround(1e4 * start), 10000);
+    ++proof_.intervals;
+    motion_.look_at(start, end, at_start);
+    std::vector<PlatePair> pairs;
+    const bool few = sweep_boxes(at_start, at_end, depth < kMaxBulkHalvings, pairs);
+    if (few) return some_pairs(start, end, at_start, at_end, std::move(pairs), depth);
+    halve(start, end, {}, depth, [&](double middle, const Poses& at_middle) {
+      all_pairs(start, middle, at_start, at_middle, depth + 1);
+      all_pairs(middle, end, at_middle, at_end, depth + 1);
+    });
+  }
+
+  // These pairs on [start, end], one by one; those that remain undecided on its halves.
+  void some_pairs(double start, double end, const Poses& at_start, const Poses& at_end, std::vector<PlatePair> pairs,
+                  int depth) {
+    if (done()) return interrupt(start);
+    ++proof_.intervals;
+    motion_.look_at(start, end, at_start);
+    std::erase_if(pairs, [&](PlatePair& pair) {
+      return proof_.verdict != PathVerdict::Free || settle(pair, start, end, at_start, at_end);
+    });
+    if (pairs.empty() || proof_.verdict != PathVerdict::Free) return;
+    if (end - start < options_.resolution) return give_up(pairs.front(), start, end);
+    std::vector<char> wanted(plates_.num_panels, 0);
+    for (const PlatePair& pair : pairs) {
+      motion_.want(plates_.panel[pair.a], wanted);
+      motion_.want(plates_.panel[pair.b], wanted);
+      if (pair.frame >= 0) motion_.want(pair.frame, wanted);
+    }
+    halve(start, end, wanted, depth, [&](double middle, const Poses& at_middle) {
+      some_pairs(start, middle, at_start, at_middle, pairs, depth + 1);
+      some_pairs(middle, end, at_middle, at_end, pairs, depth + 1);
+    });
+  }
+
+  template <class Halves>
+  void halve(double start, double end, const std::vector<char>& wanted, int depth, Halves halves) {
+    const double middle = start + (end - start) / 2;
+    Poses& at_middle = level(depth + 1).first;
+    at_middle.resize(plates_.num_panels);
+    motion_.place(middle, wanted, at_middle);
+    halves(middle, at_middle);
+  }
+
+  // Boxes around the chords of all corners, grown by what they can stray. False when too many pairs are left.
+  bool sweep_boxes(const Poses& at_start, const Poses& at_end, bool may_halve, std::vector<PlatePair>& pairs) {
+    const int n = static_cast<int>(boxes_.size());
+    double stray = 0;
+    for (int i = 0; i < n; ++i) {
+      const int panel = plates_.panel[i];
+      Eigen::AlignedBox3d& box = boxes_[i];
+      box.setEmpty();
+      for (const Vec3& corner : plates_.corners[i]) {
+        box.extend(at_start[panel] * corner);
+        box.extend(at_end[panel] * corner);
+      }
+      if (i == 0 || panel != plates_.panel[i - 1]) stray = motion_.bend(panel, -1) + proof_.rounding;
+      box.min().array() -= stray;
+      box.max().array() += stray;
+    }
+    std::sort(order_.begin(), order_.end(), [&](int a, int b) {
+      return boxes_[a].min().x() < boxes_[b].min().x() || (boxes_[a].min().x() == boxes_[b].min().x() && a < b);
+    });
+    const std::size_t most = may_halve ? static_cast<std::size_t>(kPairsPerPlate) * n + 8 : pairs.max_size();
+    for (int i = 0; i < n; ++i) {
+      const Eigen::AlignedBox3d& box = boxes_[order_[i]];
+      for (int j = i + 1; j < n && boxes_[order_[j]].min().x() <= box.max().x(); ++j) {
+        const Eigen::AlignedBox3d& other = boxes_[order_[j]];
+        const bool meet = (other.min().y() <= box.max().y()) & (box.min().y() <= other.max().y()) &
+                          (other.min().z() <= box.max().z()) & (box.min().z() <= other.max().z());
+        if (!meet || !plates_.may_collide(order_[i], order_[j])) continue;
+        if (pairs.size() >= most) return false;
+        const auto [a, b] = std::minmax(order_[i], order_[j]);
+        pairs.push_back({a, b, motion_.frame_of(plates_.panel[a], plates_.panel[b]), Vec3::Zero()});
+      }
+    }
+    return true;
+  }
+
+  // A plate's corners at one moment, seen from a frame.
+  static void place(const std::vector<Vec3>& corners, const Pose& pose, const Pose* frame, std::vector<Vec3>& placed) {
+    placed.resize(corners.size());
+    const Eigen::Matrix3d turn = frame ? frame->linear().transpose() * pose.linear() : Eigen::Matrix3d(pose.linear());
+    const Vec3 shift = frame ? Vec3(frame->linear().transpose() * (pose.translation() - frame->translation()))
+                             : Vec3(pose.translation());
+    for (std::size_t i = 0; i < corners.size(); ++i) placed[i] = turn * corners[i] + shift;
+  }
+
+  void place(const PlatePair& pair, const Poses& at_start, const Poses& at_end) {
+    const auto frame = [&](const Poses& poses) { return pair.frame < 0 ? nullptr : &poses[pair.frame]; };
+    const int a = plates_.panel[pair.a], b = plates_.panel[pair.b];
+    place(plates_.corners[pair.a], at_start[a], frame(at_start), a_start_);
+    place(plates_.corners[pair.b], at_start[b], frame(at_start), b_start_);
+    place(plates_.corners[pair.a], at_end[a], frame(at_end), a_end_);
+    place(plates_.corners[pair.b], at_end[b], frame(at_end), b_end_);
+  }
+
+  double least_lead(const Vec3& direction) const {
+    return std::min(lead(a_start_, b_start_, direction), lead(a_end_, b_end_, direction));
+  }
+
+  static void middle(const std::vector<Vec3>& p, const std::vector<Vec3>& q, std::vector<Vec3>& result) {
+    result.resize(p.size());
+    for (std::size_t i = 0; i < p.size(); ++i) result[i] = (p[i] + q[i]) / 2;
+  }
+
+  // True when the pair needs no further look on [start, end].
+  bool settle(PlatePair& pair, double start, double end, const Poses& at_start, const Poses& at_end) {
+    ++proof_.pair_intervals;
+    place(pair, at_start, at_end);
+    const double stray = motion_.bend(plates_.panel[pair.a], pair.frame) +
+                         motion_.bend(plates_.panel[pair.b], pair.frame) + proof_.rounding;
+    if (pair.direction != Vec3::Zero() && least_lead(pair.direction) > stray)
+      return same_side(pair, start, end, pair.direction, false);
+    middle(a_start_, a_end_, a_middle_);
+    middle(b_start_, b_end_, b_middle_);
+    const Separation at_middle = separation(a_middle_, b_middle_);
+    pair.direction = at_middle.direction;
+    if (-at_middle.value > stray + proof_.touch) {
+      collide(pair, start, end, -at_middle.value);
+      return true;
+    }
+    double ahead = least_lead(at_middle.direction);
+    if (ahead > stray) return same_side(pair, start, end, at_middle.direction, false);
+    if (at_middle.value <= proof_.touch) {
+      // Plates in one plane have no side of their own; the ends of the interval know it.
+      if (const double behind = least_lead(-at_middle.direction); behind > ahead)
+        ahead = behind, pair.direction = -pair.direction;
+    }
+    if (ahead - stray >= -proof_.touch) return same_side(pair, start, end, pair.direction, true);
+    return false;
+  }
+
+  // Plates that touch and then go on on the other side have passed through each other, however thin they are.
+  bool same_side(const PlatePair& pair, double start, double end, const Vec3& direction, bool touching) {
+    if (!touching && contacts_.empty()) return true;
+    const std::pair<int, int> key{pair.a, pair.b};
+    const auto last = contacts_.find(key);
+    if (last != contacts_.end() && last->second.until == start && direction.dot(last->second.direction) < 0) {
+      const Separation now = separation(a_start_, b_start_), later = separation(a_end_, b_end_);
+      const bool crossed = lead(a_end_, b_end_, last->second.direction) < -proof_.touch &&
+                           std::abs(now.value) <= 2 * proof_.touch && later.direction.dot(last->second.direction) < 0;
+      if (crossed) return give_up(pair, start, end), true;
+    }
+    if (touching)
+      contacts_[key] = {end, direction};
+    else if (last != contacts_.end())
+      contacts_.erase(last);
+    return true;
+  }
+
+  void name_panels(const PlatePair& pair) {
+    proof_.panel_a = std::min(plates_.panel[pair.a], plates_.panel[pair.b]);
+    proof_.panel_b = std::max(plates_.panel[pair.a], plates_.panel[pair.b]);
+  }
+
+  void give_up(const PlatePair& pair, double start, double end) {
+    proof_.verdict = PathVerdict::Undecided;
+    proof_.from = start;
+    proof_.to = end;
+    name_panels(pair);
+  }
+
+  void interrupt(double start) {
+    if (!proof_.interrupted || proof_.verdict != PathVerdict::Free) return;
+    proof_.verdict = PathVerdict::Undecided;
+    proof_.from = start;
+    proof_.to = 1;
+  }
+
+  double depth_at(const PlatePair& pair, double time) {
+    Poses& poses = level(0).second;  // the end of the motion is not needed any more
+    motion_.place(time, {}, poses);
+    place(pair, poses, poses);
+    return -separation(a_start_, b_start_).value;
+  }
+
+  // The collision is certain in the middle; narrows down when it began by halving the time before.
+  void collide(const PlatePair& pair, double start, double end, double depth_on_chord) {
+    proof_.verdict = PathVerdict::Collides;
+    name_panels(pair);
+    double clear = start, inside = start + (end - start) / 2;
+    proof_.depth = std::max(depth_at(pair, inside), depth_on_chord);
+    if (depth_at(pair, clear) > 0) {
+      inside = clear;
+      for (double step = end - start; clear > 0 && depth_at(pair, clear) > 0; step *= 2)
+        inside = clear, clear = std::max(0.0, clear - step);
+    }
+    for (int i = 0; i < 40 && inside - clear > 1e-9; ++i) {
+      const double between = clear + (inside - clear) / 2;
+      (depth_at(pair, between) > 0 ? inside : clear) = between;
+    }
+    proof_.from = clear;
+    proof_.to = start + (end - start) / 2;
+    while (proof_.to - clear > 2 * (inside - clear) + 1e-9 &&
+           depth_at(pair, clear + (proof_.to - clear) / 2) > proof_.touch)
+      proof_.to = clear + (proof_.to - clear) / 2;
+    proof_.depth = depth_at(pair, proof_.to);
+  }
+
+  PanelMotion& motion_;
+  const PathProofOptions& options_;
+  const Run& run_;
+  PathProof proof_;
+  ProofPlates plates_;
+  std::vector<Eigen::AlignedBox3d> boxes_;
+  std::vector<int> order_;
+  std::deque<std::pair<Poses, Poses>> middles_;
+  std::map<std::pair<int, int>, Contact> contacts_;
+  std::vector<Vec3> a_start_, b_start_, a_end_, b_end_, a_middle_, b_middle_;
+};
+
+void check(const PathProofOptions& options) {
+  const auto length = [](double value, const char* what) {
+    if (!(value >= 0) || !std::isfinite(value))
+      throw InvalidOption(fmt::format("{} = {} must be a finite length, at least 0", what, value));
+  };
+  length(options.clearance, "clearance");
+  length(options.touch, "touch");
+  if (!(options.resolution > 0) || options.resolution > 1)
+    throw InvalidOption(fmt::format("resolution = {} must be in (0, 1]", options.resolution));
+}
+
+// A hinge keeps its two panels apart only up to 180 degrees.
+std::optional<PathProof> over_folded(const Linkage& linkage, const FoldingPath& path) {
+  for (std::size_t i = 0; i < path.waypoints.size(); ++i) {
+    for (int h = 0; h < linkage.num_hinges(); ++h) {
+      if (std::abs(path.waypoints[i].config[h]) <= kPi + 1e-9) continue;
+      PathProof proof;
+      proof.verdict = PathVerdict::Collides;
+      proof.from = i > 0 ? path.waypoints[i - 1].time : 0;
+      proof.to = path.waypoints[i].time;
+      proof.panel_a = std::min(linkage.hinges[h].left, linkage.hinges[h].right);
+      proof.panel_b = std::max(linkage.hinges[h].left, linkage.hinges[h].right);
+      return proof;
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string_view name(PathVerdict verdict) {
+  switch (verdict) {
+    case PathVerdict::Free:
+      return "free";
+    case PathVerdict::Collides:
+      return "collides";
+    case PathVerdict::Undecided:
+      return "undecided";
+  }
+  return "unknown";
+}
+
+PathProof prove_motion(const Linkage& linkage, PanelMotion& motion, const PathProofOptions& options, const Run& run) {
+  check(options);
+  return Proof(linkage, motion, options, run).run();
+}
+
+PathProof prove_path(const Linkage& linkage, const FoldingPath& path, const PathProofOptions& options, const Run& run) {
+  LinkageMotion motion(linkage, path);
+  if (const auto collision = over_folded(linkage, path)) return *collision;
+  return prove_motion(linkage, motion, options, run);
+}
+
+}  // namespace plico

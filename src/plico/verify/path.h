@@ -1,0 +1,51 @@
+// Proof that a motion is free of collision at every moment, not only at samples.
+//
+// Panels are thin plates, shrunk by a clearance, as in every check of a motion; touching is allowed, penetration deeper
+// than `touch` is not. Time is halved until, on an interval, each pair of plates is either
+//   - apart: their swept boxes are disjoint, or a direction, seen from the last panel common to their chains, separates
+//     them at both ends of the interval by more than both can stray from the chords of their corners in between;
+//   - touching: the same up to `touch`, and then they may not turn up on the other side of each other; or
+//   - in collision: at the middle of their chords they penetrate deeper than both can stray, plus `touch`.
+// Every comparison leaves room for rounding (PanelMotion::rounding). It shares no code with planners and their checks.
+// Panels at a common hinge are kept apart by the hinge while it turns by at most 180 degrees and neither reaches across
+// its line; panels of different parts are never compared: each part folds by itself.
+#pragma once
+#include "plico/base/run.h"
+#include "plico/fold/folding_path.h"
+#include "plico/verify/panel_motion.h"
+
+namespace plico {
+
+struct PathProofOptions {
+  double clearance = 0;      // how far every side of a panel moves inward, units; 0: 1e-3 of the mean side length
+  double touch = 0;          // deepest penetration that still is a touch, units; 0: 1e-3 of the clearance
+  double resolution = 1e-9;  // intervals shorter than this are not halved, in (0, 1]
+};
+
+enum class PathVerdict { Free, Collides, Undecided };
+std::string_view name(PathVerdict verdict);  // "free", "collides", "undecided"
+
+struct PathProof {
+  PathVerdict verdict = PathVerdict::Undecided;
+  // Collides: the panels are clear of each other (or the motion begins) at `from` and penetrate at `to`.
+  // Undecided: neither could be shown on [from, to].
+  double from = 0, to = 0;
+  int panel_a = -1, panel_b = -1;
+  double depth = 0;          // of the penetration at `to`, units
+  bool interrupted = false;  // the run was over before the proof was: Undecided, on the rest [from, 1]
+  long intervals = 0;        // of time, on which all panels or the undecided pairs were looked at
+  long pair_intervals = 0;   // pairs of plates examined one by one on an interval
+  double clearance = 0, touch = 0, rounding = 0;  // used, units
+};
+
+// The verdict is about exactly this motion: fold angles linear between waypoints. Collides as soon as one collision is
+// certain, not necessarily the first one in time.
+PathProof prove_path(const Linkage& linkage, const FoldingPath& path, const PathProofOptions& options = {},
+                     const Run& run = {});
+
+// The same for any motion of the linkage's panels (crease patterns whose loops are closed on the way). The hinge rule
+// of neighbours is then the caller's claim.
+PathProof prove_motion(const Linkage& linkage, PanelMotion& motion, const PathProofOptions& options = {},
+                       const Run& run = {});
+
+}  // namespace plico
