@@ -21,6 +21,7 @@ DualTree::DualTree(const FlatFaces& faces, const FoldForest& forest)
       grid_(faces.mesh().num_faces(), faces.cell_size()),
       partners_(faces.mesh().num_faces()),
       place_in_overlapping_(faces.mesh().num_faces(), -1),
+      heavy_(faces.mesh().num_faces()),
       mark_(faces.mesh().num_faces(), 0) {
   lay(forest);
   find_all_overlaps();
@@ -66,6 +67,23 @@ void DualTree::add_pair(int a, int b) {
   }
 }
 
+int DualTree::weight(int a, int b) const {
+  const auto [low, high] = std::minmax(a, b);
+  for (const auto& [panel, weight] : heavy_[low])
+    if (panel == high) return weight;
+  return 1;
+}
+
+void DualTree::aggravate(int a, int b) {
+  const auto [low, high] = std::minmax(a, b);
+  for (auto& [panel, weight] : heavy_[low])
+    if (panel == high) {
+      ++weight;
+      return;
+    }
+  heavy_[low].emplace_back(high, 2);
+}
+
 void DualTree::drop_partner(int panel, int partner) {
   std::vector<int>& list = partners_[panel];
   *std::find(list.begin(), list.end(), partner) = list.back();
@@ -106,7 +124,7 @@ std::span<const int> DualTree::gather(int panel) {
 int DualTree::overlaps_with_rest() const {
   int count = 0;
   for (int panel : subtree_)
-    for (int partner : partners_[panel]) count += !gathered(partner);
+    for (int partner : partners_[panel]) count += gathered(partner) ? 0 : weight(panel, partner);
   return count;
 }
 
@@ -131,7 +149,7 @@ int DualTree::overlaps_if_hung(int side, int limit, long& looked) const {
     const Vec2* from = corners(panel);
     for (int i = 0; i < n; ++i) moved[i] = motion(from[i]);
     grid_.visit_meeting(box_of(moved, n), [&](int other) {
-      if (!gathered(other) && faces_->overlap(panel, moved, other, corners(other))) ++count;
+      if (!gathered(other) && faces_->overlap(panel, moved, other, corners(other))) count += weight(panel, other);
       return count < limit;
     });
     if (count >= limit) return count;

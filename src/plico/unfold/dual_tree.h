@@ -33,8 +33,12 @@ class DualTree {
   std::span<const int> gather(int panel);
   bool gathered(int panel) const { return mark_[panel] == stamp_; }  // by the last gather()
 
-  // Overlaps between the gathered subtree and the rest: as it lies, and as it would lie hung by its halfedge `side`
-  // to the panel across, which is not gathered. Stops counting at `limit`. Adds the panels looked at to `looked`.
+  // Makes the overlap of two panels count one more in the two functions below (breakout, Morris 1993).
+  void aggravate(int a, int b);
+
+  // Weighted overlaps between the gathered subtree and the rest: as it lies, and as it would lie hung by its halfedge
+  // `side` to the panel across, which is not gathered. Stops counting at `limit`. Adds the panels looked at to
+  // `looked`.
   int overlaps_with_rest() const;
   int overlaps_if_hung(int side, int limit, long& looked) const;
 
@@ -52,6 +56,7 @@ class DualTree {
   void add_pair(int a, int b);
   void forget_pairs_of_gathered();
   void find_pairs_of_gathered();
+  int weight(int a, int b) const;
   void drop_partner(int panel, int partner);
   void turn_round(int panel);  // makes `panel` the root of its subtree's tree
   void measure_gathered();     // depths and sizes below the first gathered panel
@@ -65,6 +70,7 @@ class DualTree {
 
   std::vector<std::vector<int>> partners_;
   std::vector<int> overlapping_, place_in_overlapping_;
+  std::vector<std::vector<std::pair<int, int>>> heavy_;  // by lower panel: higher panel, weight above 1
   int num_overlaps_ = 0;
 
   std::vector<int> subtree_, mark_;

@@ -24,8 +24,11 @@ constexpr std::array kGrowBy = {Heuristic::MinimumPerimeter, Heuristic::Unsteepe
 // A way to hang a subtree: cut it off above `panel`, hang it by `side`.
 struct Hanging {
   int panel = -1, side = -1;
-  int change = std::numeric_limits<int>::max();  // of the number of overlaps
+  int change = 0;  // of the weighted number of overlaps, never positive
 };
+
+// A step gives up when this many times `effort` panels were looked at and no hanging was found.
+constexpr int kPatience = 5;
 
 // The search within one connected mesh.
 class Search {
@@ -42,7 +45,8 @@ class Search {
         run_.report("untangling panels", steps, 0, fmt::format("{} overlaps left", tree_.num_overlaps()));
       }
       step_ = steps++;
-      resolve(pick_pair());
+      const auto [a, b] = pick_pair();
+      resolve(a, b);
     }
     return Ending::Found;
   }
@@ -55,14 +59,19 @@ class Search {
     return {a, partners[rng_.below(static_cast<int>(partners.size()))]};
   }
 
-  // Tries the folds on the tree path between the two panels, those with the smallest subtrees first.
-  void resolve(std::pair<int, int> pair) {
+  // Tries the folds on the tree path between the two panels, those with the smallest subtrees first. A step never makes
+  // the weighted overlaps worse; when none makes them better, this pair weighs more from now on (breakout).
+  void resolve(int a, int b) {
     Hanging best;
     long looked = 0;
-    for (int panel : subtrees_between(pair.first, pair.second)) {
-      if (looked > (best.change < 0 ? options_.effort / 4 : options_.effort) && best.panel >= 0) break;
+    for (int panel : subtrees_between(a, b)) {
+      const long enough = best.panel < 0    ? kPatience * options_.effort
+                          : best.change < 0 ? options_.effort / 4
+                                            : options_.effort;
+      if (looked > enough) break;
       try_hangings(panel, best, looked);
     }
+    if (best.change == 0) tree_.aggravate(a, b);
     if (best.panel < 0) return;
     tree_.gather(best.panel);
     tabu_until_[mesh_.edge(HalfedgeId(tree_.parent_side(best.panel)))] =
@@ -89,11 +98,10 @@ class Search {
     collect_sides(subtree, tree_.parent_side(panel));
     choose_some(std::max(4, options_.effort / static_cast<int>(subtree.size())));
     for (int side : sides_) {
-      const int limit = best.panel < 0 ? std::numeric_limits<int>::max() : before + best.change + 1;
-      if (limit <= 0) return;
-      const int change = tree_.overlaps_if_hung(side, limit, looked) - before;
+      if (before + best.change < 0) return;
+      const int change = tree_.overlaps_if_hung(side, before + best.change + 1, looked) - before;
       if (change > best.change) continue;
-      ties_ = change < best.change ? 1 : ties_ + 1;
+      ties_ = change < best.change || best.panel < 0 ? 1 : ties_ + 1;
       if (rng_.below(ties_) == 0) best = {panel, side, change};
     }
   }

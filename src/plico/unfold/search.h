@@ -1,5 +1,7 @@
 // Our own search for a net, the default of `plico unfold`: grow a tree that avoids overlaps while it can, then cut off
-// subtrees of panels that overlap and hang them elsewhere, until none does.
+// subtrees of panels that overlap and hang them elsewhere, until none does. Overlaps that no single step removes weigh
+// more and more until something else gives way (breakout local search, Morris 1993), with a short tabu on folds just
+// cut.
 #pragma once
 #include <cstdint>
 #include <utility>
@@ -12,10 +14,10 @@
 namespace plico {
 
 struct SearchOptions {
-  std::uint64_t seed = 1;  // same mesh, same options: same result on every machine and thread count
-  int starts = 2;          // grown trees of which the one with the fewest overlaps is taken; at least 1
-  int tabu_tenure = 12;    // steps for which a fold just cut is not made again, at least, and less than twice that
-  int effort = 400;        // panels looked at in one step before the best hanging found so far is taken; at least 1
+  std::uint64_t seed = 1;       // same mesh, same options: same result on every machine and thread count
+  int starts = 2;               // grown trees of which the one with the fewest overlaps is taken; at least 1
+  int tabu_tenure = 12;         // steps for which a fold just cut is not made again, at least, and less than twice that
+  int effort = 400;             // panels looked at in a step before the best hanging found so far is taken; at least 1
   long max_steps = 10'000'000;  // at least 0
 };
 void check(const SearchOptions& options);  // throws InvalidOption naming field, value and range
