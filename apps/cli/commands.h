@@ -6,6 +6,7 @@
 
 namespace plico::cli {
 
+Command verify_command();
 Command man_command();
 Command completions_command();
 

@@ -1,0 +1,134 @@
+// plico verify: judges what a FOLD file claims, from scratch.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "commands.h"
+#include "plico/base/error.h"
+#include "plico/io/fold.h"
+#include "plico/io/mesh_file.h"
+#include "plico/verify/net.h"
+#include "session.h"
+
+namespace plico::cli {
+namespace {
+
+using nlohmann::json;
+
+struct VerifyArgs {
+  std::string file, mesh;
+};
+
+json to_json(const Overlaps& overlaps) {
+  json pairs = json::array();
+  for (const OverlappingPair& pair : overlaps.listed)
+    pairs.push_back({{"panels", {pair.a, pair.b}}, {"area", pair.area}});
+  return {{"count", overlaps.count}, {"worst_area", overlaps.worst.area}, {"pairs", std::move(pairs)}};
+}
+
+json to_json(const std::vector<Defect>& defects) {
+  json list = json::array();
+  for (const Defect& defect : defects) list.push_back({{"code", defect.code}, {"message", defect.message}});
+  return list;
+}
+
+std::string lines_of(const std::vector<Defect>& defects) {
+  std::string text;
+  for (const Defect& defect : defects) text += fmt::format("  {}: {}\n", defect.code, defect.message);
+  return text;
+}
+
+std::string count(long n, const std::string& one) { return fmt::format("{} {}{}", n, one, n == 1 ? "" : "s"); }
+
+void report_net(Session& session, const NetVerdict& verdict) {
+  json& report = session.report();
+  report["kind"] = "net";
+  report["panels"] = verdict.panels;
+  report["parts"] = verdict.parts;
+  report["fold_edges"] = verdict.fold_edges;
+  report["scale"] = verdict.scale;
+  report["overlaps"] = to_json(verdict.overlaps);
+  report["congruence_error"] = verdict.congruence_error;
+  report["mate_error"] = verdict.mate_error;
+  report["angle_error_deg"] = degrees(verdict.angle_error);
+  report["closing_error"] = verdict.closing_error;
+  report["defects"] = to_json(verdict.defects);
+  report["valid"] = verdict.valid();
+  report["net"] = verdict.is_net();
+  session.print(fmt::format("net        {}, {}, {}\n", count(verdict.panels, "panel"), count(verdict.parts, "part"),
+                            count(verdict.fold_edges, "fold")));
+  session.print(fmt::format("overlap    {}\n", count(verdict.overlaps.count, "pair")));
+  session.print(fmt::format("panels     off by {:.2g} of the diagonal\n", verdict.congruence_error));
+  session.print(fmt::format("folds      off by {:.2g} degrees\n", degrees(verdict.angle_error)));
+  session.print(fmt::format("closing    off by {:.2g} of the diagonal\n", verdict.closing_error));
+  session.print(lines_of(verdict.defects));
+  const char* const answer = !verdict.complete ? "not finished" : verdict.valid() ? "yes" : "no";
+  session.print(fmt::format("verified   {}\n", answer));
+}
+
+// Without a mesh the net is held against its own folded form.
+Mesh shape_of(const FoldFile& file, const VerifyArgs& args, Session& session) {
+  if (args.mesh.empty()) return folded_mesh(file);
+  return to_mesh(read_mesh_source(session.read(args.mesh), args.mesh));
+}
+
+int verify_net_file(const FoldFile& file, const VerifyArgs& args, Session& session) {
+  const Run run = session.run();
+  const NetVerdict verdict = verify_net(file.net, shape_of(file, args, session), {}, run);
+  report_net(session, verdict);
+  if (!verdict.complete && run.over()) return Session::exit_code(run.ending());
+  return verdict.valid() ? kDone : kNo;
+}
+
+// A crease pattern claims to be a flat sheet: no two of its panels overlap.
+int verify_sheet_file(const FoldFile& file, Session& session) {
+  const Run run = session.run();
+  const CreasePattern& sheet = file.net.sheet;
+  const Overlaps overlaps = find_overlaps(sheet, {}, run);
+  const bool valid = overlaps.complete && overlaps.count == 0;
+  json& report = session.report();
+  report["kind"] = "crease-pattern";
+  report["panels"] = sheet.num_faces();
+  report["parts"] = file.net.num_parts();
+  report["overlaps"] = to_json(overlaps);
+  report["valid"] = valid;
+  session.print(
+      fmt::format("sheet      {}, {}\n", count(sheet.num_faces(), "panel"), count(file.net.num_parts(), "part")));
+  session.print(fmt::format("overlap    {}\n", count(overlaps.count, "pair")));
+  session.print(fmt::format("verified   {}\n", !overlaps.complete ? "not finished" : valid ? "yes" : "no"));
+  if (!overlaps.complete && run.over()) return Session::exit_code(run.ending());
+  return valid ? kDone : kNo;
+}
+
+int verify_file(const VerifyArgs& args, Session& session) {
+  if (args.file == "-" && args.mesh == "-") throw InvalidOption("only one of the two files can be standard input");
+  const FoldFile file = read_fold(session.read(args.file), args.file);
+  switch (kind(file)) {
+    case FoldKind::Net:
+      return verify_net_file(file, args, session);
+    case FoldKind::CreasePattern:
+      if (!args.mesh.empty())
+        throw InvalidInput("verify/no-net", fmt::format("{} does not say which mesh its panels come from", args.file),
+                           {}, fmt::format("plico verify {}", args.file));
+      return verify_sheet_file(file, session);
+    case FoldKind::Motion:
+      break;
+  }
+  throw InvalidInput("verify/motion",
+                     fmt::format("{} holds a motion; nets and crease patterns can be verified", args.file));
+}
+
+}  // namespace
+
+Command verify_command() {
+  const auto args = std::make_shared<VerifyArgs>();
+  return Command("verify", "Check from scratch that a net is right: no overlap, true to the mesh, closes when folded")
+      .example("plico verify bird.fold bird.obj", "is this a net of this mesh?")
+      .example("plico verify bird.fold", "the same, against the folded form in the file")
+      .example("plico unfold bird.obj -o - | plico verify - --json", "every figure, for a program")
+      .positional("file", "FOLD file with a net or a crease pattern", args->file)
+      .positional("mesh", "the mesh it was made from; without it, the folded form in the file", args->mesh, false)
+      .action([args](Session& session) { return verify_file(*args, session); });
+}
+
+}  // namespace plico::cli
