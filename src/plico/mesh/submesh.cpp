@@ -1,9 +1,19 @@
 #include "plico/mesh/submesh.h"
 
+#include <numeric>
+
 namespace plico {
 
 Submesh component(const Mesh& mesh, const Components& components, int which) {
   Submesh part;
+  if (components.count == 1) {
+    part.mesh = mesh;
+    part.face.resize(mesh.num_faces());
+    part.edge.resize(mesh.num_edges());
+    std::iota(part.face.begin(), part.face.end(), 0);
+    std::iota(part.edge.begin(), part.edge.end(), 0);
+    return part;
+  }
   PolygonSoup soup;
   soup.points = mesh.soup().points;
   for (FaceId f : mesh.faces()) {

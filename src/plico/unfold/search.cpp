@@ -7,8 +7,9 @@
 
 #include "plico/base/error.h"
 #include "plico/base/rng.h"
-#include "plico/mesh/submesh.h"
+#include "plico/unfold/by_component.h"
 #include "plico/unfold/dual_tree.h"
+#include "plico/unfold/exhaust.h"
 #include "plico/unfold/grow.h"
 #include "plico/unfold/heuristics.h"
 #include "plico/unfold/overlap.h"
@@ -36,9 +37,9 @@ class Search {
   Search(const FlatFaces& faces, DualTree& tree, const SearchOptions& options, Rng rng, const Run& run)
       : mesh_(faces.mesh()), tree_(tree), options_(options), rng_(rng), run_(run), tabu_until_(mesh_.num_edges(), -1) {}
 
-  Ending go(long& steps) {
+  Ending go(long& steps, long max_steps) {
     while (tree_.num_overlaps() > 0) {
-      if (steps >= options_.max_steps) return Ending::Exhausted;
+      if (steps >= max_steps) return Ending::Exhausted;
       if (steps % 64 == 0 && run_.over()) return run_.ending();
       if (steps % 4096 == 0) {
         tree_.balance();
@@ -164,27 +165,64 @@ std::vector<std::pair<int, int>> overlaps_of(const DualTree& tree) {
   return pairs;
 }
 
-// One connected mesh; face and edge numbers are its own.
-SearchResult find_connected(const Mesh& mesh, const SearchOptions& options, const Rng& rng, const Run& run) {
-  const FlatFaces faces(mesh);
-  SearchResult result;
-  Start start = best_start(faces, options, rng, run);
-  result.start_overlaps = start.overlaps;
-  for (result.ending = Ending::Found; start.overlaps > 0 && result.ending == Ending::Found;) {
-    DualTree tree(faces, start.tree);
-    result.ending = Search(faces, tree, options, rng.stream(options.starts + result.steps), run).go(result.steps);
-    if (result.ending != Ending::Found) result.in_the_way = overlaps_of(tree);
-    start.tree = tree.forest();
-    // Laid out afresh, without the rounding of many moves.
-    start.overlaps = static_cast<int>(overlapping_pairs(faces, lay_panels(faces, start.tree)).size());
-  }
-  result.forest = part_overlaps(faces, start.tree);
-  return result;
-}
+// Meshes up to this size are decided by trying all nets, should the search fail in its first steps.
+constexpr int kFewFaces = 40;
+constexpr long kFirstSteps = 2000, kMostPartialNets = 300'000;
 
-int count_parts(const Mesh& mesh, const FoldForest& forest) {
-  return mesh.num_faces() - static_cast<int>(std::count(forest.is_fold.begin(), forest.is_fold.end(), 1));
-}
+// One connected mesh; face and edge numbers are its own.
+class ConnectedSearch {
+ public:
+  ConnectedSearch(const Mesh& mesh, const SearchOptions& options, const Rng& rng, const Run& run)
+      : faces_(mesh), options_(options), rng_(rng), run_(run) {
+    most_ = options.max_steps >= 0 ? options.max_steps : 10'000 + 100L * mesh.num_faces();
+  }
+
+  SearchResult go() {
+    Start start = best_start(faces_, options_, rng_, run_);
+    result_.start_overlaps = start.overlaps;
+    const bool few = faces_.mesh().num_faces() <= kFewFaces;
+    result_.ending = untangle(start, few ? std::min(kFirstSteps, most_) : most_);
+    if (few && result_.ending == Ending::Exhausted) {
+      try_all(start);
+      if (result_.ending == Ending::Exhausted && !result_.proven_impossible) result_.ending = untangle(start, most_);
+    }
+    result_.forest = part_overlaps(faces_, start.tree);
+    return std::move(result_);
+  }
+
+ private:
+  Ending untangle(Start& start, long max_steps) {
+    while (start.overlaps > 0) {
+      DualTree tree(faces_, start.tree);
+      const Ending ending = Search(faces_, tree, options_, rng_.stream(options_.starts + result_.steps), run_)
+                                .go(result_.steps, max_steps);
+      if (ending != Ending::Found) result_.in_the_way = overlaps_of(tree);
+      start.tree = tree.forest();
+      if (ending != Ending::Found) return ending;
+      // Laid out afresh, without the rounding of many moves.
+      start.overlaps = static_cast<int>(overlapping_pairs(faces_, lay_panels(faces_, start.tree)).size());
+    }
+    result_.in_the_way.clear();
+    return Ending::Found;
+  }
+
+  void try_all(Start& start) {
+    ExhaustResult all = try_all_nets(faces_, kMostPartialNets, run_);
+    result_.proven_impossible = all.decided && all.ending == Ending::Exhausted;
+    if (all.ending == Ending::Found) {
+      start.tree = std::move(all.net);
+      result_.in_the_way.clear();
+    }
+    result_.ending = all.ending;
+  }
+
+  const FlatFaces faces_;
+  const SearchOptions& options_;
+  const Rng& rng_;
+  const Run& run_;
+  long most_ = 0;
+  SearchResult result_;
+};
 
 }  // namespace
 
@@ -193,24 +231,23 @@ void check(const SearchOptions& options) {
   if (options.tabu_tenure < 0)
     throw InvalidOption(fmt::format("tabu-tenure = {} must be at least 0", options.tabu_tenure));
   if (options.effort < 1) throw InvalidOption(fmt::format("effort = {} must be at least 1", options.effort));
-  if (options.max_steps < 0) throw InvalidOption(fmt::format("max-steps = {} must be at least 0", options.max_steps));
+  if (options.max_steps < -1) throw InvalidOption(fmt::format("max-steps = {} must be at least -1", options.max_steps));
 }
 
 SearchResult find_net(const Mesh& mesh, const SearchOptions& options, const Run& run) {
   check(options);
-  const Components parts = components(mesh);
   SearchResult whole;
   whole.ending = Ending::Found;
-  whole.forest.is_fold.assign(mesh.num_edges(), 0);
-  for (int c = 0; c < parts.count; ++c) {
-    const Submesh part = component(mesh, parts, c);
-    const SearchResult own = find_connected(part.mesh, options, Rng(options.seed).stream(c), run);
+  whole.forest = by_component(mesh, [&](const Submesh& part, int c) {
+    const Rng rng = Rng(options.seed).stream(c);
+    SearchResult own = ConnectedSearch(part.mesh, options, rng, run).go();
     if (own.ending != Ending::Found) whole.ending = own.ending;
     whole.start_overlaps += own.start_overlaps;
     whole.steps += own.steps;
-    for (EdgeId e : part.mesh.edges()) whole.forest.is_fold[part.edge[e]] = own.forest.is_fold[e];
+    whole.proven_impossible |= own.proven_impossible;
     for (const auto& [a, b] : own.in_the_way) whole.in_the_way.emplace_back(part.face[a], part.face[b]);
-  }
+    return std::move(own.forest);
+  });
   whole.parts = count_parts(mesh, whole.forest);
   return whole;
 }

@@ -14,11 +14,11 @@
 namespace plico {
 
 struct SearchOptions {
-  std::uint64_t seed = 1;       // same mesh, same options: same result on every machine and thread count
-  int starts = 2;               // grown trees of which the one with the fewest overlaps is taken; at least 1
-  int tabu_tenure = 12;         // steps for which a fold just cut is not made again, at least, and less than twice that
-  int effort = 400;             // panels looked at in a step before the best hanging found so far is taken; at least 1
-  long max_steps = 10'000'000;  // at least 0
+  std::uint64_t seed = 1;  // same mesh, same options: same result on every machine and thread count
+  int starts = 2;          // grown trees of which the one with the fewest overlaps is taken; at least 1
+  int tabu_tenure = 12;    // steps for which a fold just cut is not made again, at least, and less than twice that
+  int effort = 400;        // panels looked at in a step before the best hanging found so far is taken; at least 1
+  long max_steps = -1;     // -1: 10,000 and 100 more a panel, for each component
 };
 void check(const SearchOptions& options);  // throws InvalidOption naming field, value and range
 
@@ -28,6 +28,8 @@ struct SearchResult {
   int parts = 0;
   int start_overlaps = 0;  // overlapping pairs of panels in the trees that the search set out from
   long steps = 0;          // subtrees hung elsewhere; as max_steps it repeats a run that was timed out
+  // No net exists: every spanning tree was tried (small meshes only, see exhaust.h).
+  bool proven_impossible = false;
   // Pairs of mesh faces that still overlapped when the search ended and were then cut apart.
   std::vector<std::pair<int, int>> in_the_way;
 };
