@@ -66,15 +66,27 @@ void report_net(Session& session, const NetVerdict& verdict) {
   session.print(fmt::format("verified   {}\n", answer));
 }
 
-// Without a mesh the net is held against its own folded form.
-Mesh shape_of(const FoldFile& file, const VerifyArgs& args, Session& session) {
-  if (args.mesh.empty()) return folded_mesh(file);
-  return to_mesh(read_mesh_source(session.read(args.mesh), args.mesh));
+// Without a mesh the net is held against its own folded form; one that makes no surface is a defect like any other.
+NetVerdict judge(const FoldFile& file, const VerifyArgs& args, Session& session, const Run& run) {
+  if (!args.mesh.empty())
+    return verify_net(file.net, to_mesh(read_mesh_source(session.read(args.mesh), args.mesh)), {}, run);
+  if (file.folded.empty())
+    throw InvalidInput("verify/no-shape", fmt::format("{} has no folded form to hold the net against", args.file), {},
+                       fmt::format("plico verify {} MESH", args.file));
+  try {
+    return verify_net(file.net, folded_mesh(file), {}, run);
+  } catch (const InvalidInput& error) {
+    NetVerdict verdict;
+    verdict.panels = file.net.sheet.num_faces();
+    verdict.parts = file.net.num_parts();
+    verdict.defects.push_back({error.code(), error.what()});
+    return verdict;
+  }
 }
 
 int verify_net_file(const FoldFile& file, const VerifyArgs& args, Session& session) {
   const Run run = session.run();
-  const NetVerdict verdict = verify_net(file.net, shape_of(file, args, session), {}, run);
+  const NetVerdict verdict = judge(file, args, session, run);
   report_net(session, verdict);
   if (!verdict.complete && run.over()) return Session::exit_code(run.ending());
   return verdict.valid() ? kDone : kNo;
