@@ -7,6 +7,7 @@
 namespace plico::cli {
 
 Command verify_command();
+Command print_command();
 Command man_command();
 Command completions_command();
 

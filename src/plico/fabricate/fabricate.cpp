@@ -1,0 +1,243 @@
+#include "plico/fabricate/fabricate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "plico/base/error.h"
+#include "plico/fabricate/pieces.h"
+#include "plico/fabricate/split.h"
+#include "plico/geom/polygon.h"
+
+namespace plico {
+namespace {
+
+using Outlines = std::vector<std::vector<std::vector<int>>>;
+
+Unfolding in_millimetres(Unfolding net, double scale) {
+  for (Vec2& v : net.sheet.vertices) v *= scale;
+  net.mate.resize(net.sheet.edges.size(), -1);  // a file may name no mates
+  return net;
+}
+
+std::vector<std::vector<Vec2>> part_points(const Unfolding& net) {
+  std::vector<std::vector<Vec2>> points(net.num_parts());
+  for (int f = 0; f < net.sheet.num_faces(); ++f)
+    for (int v : net.sheet.faces[f]) points[net.part[f]].push_back(net.sheet.vertices[v]);
+  return points;
+}
+
+// Parts must fit with a tab's depth to spare on both sides, which is the most that tabs can add.
+Vec2 room_without_tabs(const SheetOptions& options) {
+  const double tab = options.tabs.side == TabSide::None ? 0 : options.tabs.depth;
+  return printable(options.page) - Vec2::Constant(2 * tab);
+}
+
+bool any_too_large(const Unfolding& net, const Vec2& room) {
+  return std::ranges::any_of(part_points(net),
+                             [&](const auto& points) { return !angle_that_fits(convex_hull(points), room); });
+}
+
+[[noreturn]] void throw_too_large(int part, double factor, double scale, const FoldedShape& shape,
+                                  const SheetOptions& options, bool is_panel) {
+  const double longest = std::floor(10 * 0.999 * factor * scale * shape.size.maxCoeff()) / 10;
+  const Vec2 page = options.page.size;
+  throw InvalidInput(is_panel ? "fabricate/panel-too-large" : "fabricate/part-too-large",
+                     fmt::format("{} {} does not fit a page of {:g} x {:g} mm at {:g} mm per unit",
+                                 is_panel ? "a panel of part" : "part", part_name(part), page.x(), page.y(), scale),
+                     {},
+                     fmt::format("{} or a larger --page{}",
+                                 longest > 0 ? fmt::format("use --longest {:g}mm or less", longest)
+                                             : fmt::format("use --scale {:.4g} or less", 0.999 * factor * scale),
+                                 is_panel ? "" : ", or --split"));
+}
+
+// Which item of `hulls` fits least, and by which factor it would have to shrink.
+void require_fit(const std::vector<std::vector<Vec2>>& hulls, const std::vector<std::vector<Vec2>>& bare, double scale,
+                 const FoldedShape& shape, const SheetOptions& options, bool is_panel) {
+  int worst = -1;
+  double factor = 1;
+  for (std::size_t i = 0; i < hulls.size(); ++i) {
+    if (angle_that_fits(hulls[i], printable(options.page))) continue;
+    const double fits = std::min(1.0, largest_scale(bare[i], room_without_tabs(options)));
+    if (worst < 0 || fits < factor) worst = static_cast<int>(i), factor = fits;
+  }
+  if (worst >= 0) throw_too_large(worst, factor, scale, shape, options, is_panel);
+}
+
+// Items to place: every part with its tabs.
+std::vector<PlaceItem> place_items(const Unfolding& net, const Tabs& tabs) {
+  std::vector<PlaceItem> items(net.num_parts());
+  const auto add = [](PlaceItem& item, std::vector<Vec2> piece) {
+    item.hull.insert(item.hull.end(), piece.begin(), piece.end());
+    item.area += std::abs(signed_area(piece));
+    item.pieces.push_back(std::move(piece));
+  };
+  for (int f = 0; f < net.sheet.num_faces(); ++f)
+    for (auto& piece : convex_pieces(polygon(net.sheet, f))) add(items[net.part[f]], std::move(piece));
+  const NetSides sides(net);
+  for (const NetTab& tab : tabs.tabs)
+    add(items[net.part[sides.side(tab.edge).panel]], {tab.corners[1], tab.corners[0], tab.corners[3], tab.corners[2]});
+  for (PlaceItem& item : items) item.hull = convex_hull(std::move(item.hull));
+  return items;
+}
+
+// Builds the placed parts out of the net, its tabs and where everything goes.
+class Assembler {
+ public:
+  Assembler(const NetSides& sides, const Outlines& outlines, const Tabs& tabs, const Placed& placed,
+            const FoldedShape& shape, const SheetOptions& options)
+      : sides_(sides),
+        net_(sides.net()),
+        outlines_(outlines),
+        placed_(placed),
+        shape_(shape),
+        options_(options),
+        tab_of_(net_.sheet.num_edges(), nullptr) {
+    for (const NetTab& tab : tabs.tabs) tab_of_[tab.edge] = &tab;
+  }
+
+  std::vector<PlacedPart> parts() {
+    std::vector<PlacedPart> parts(net_.num_parts());
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+      parts[p].part = static_cast<int>(p);
+      parts[p].name = part_name(static_cast<int>(p));
+      parts[p].page = placed_.placements[p].page;
+      add_outlines(parts[p]);
+    }
+    for (int f = 0; f < net_.sheet.num_faces(); ++f) {
+      const Placement& at = placed_.placements[net_.part[f]];
+      PlacedPanel panel{{}, sides_.edges(f)};
+      for (int v : net_.sheet.faces[f]) panel.corners.push_back(at(net_.sheet.vertices[v]));
+      parts[net_.part[f]].panels.push_back(std::move(panel));
+    }
+    for (int e = 0; e < net_.sheet.num_edges(); ++e)
+      if (sides_.side(e).panel >= 0) add_edge(parts[net_.part[sides_.side(e).panel]], e);
+    return parts;
+  }
+
+ private:
+  void add_outlines(PlacedPart& part) const {
+    const Placement& at = placed_.placements[part.part];
+    for (const auto& loop : outlines_[part.part]) {
+      std::vector<Vec2> outline;
+      for (int e : loop) {
+        outline.push_back(at(sides_.from(sides_.side(e))));
+        if (!tab_of_[e]) continue;
+        outline.push_back(at(tab_of_[e]->corners[3]));
+        outline.push_back(at(tab_of_[e]->corners[2]));
+      }
+      part.outlines.push_back(std::move(outline));
+    }
+    std::ranges::stable_sort(part.outlines, std::greater<>(), [](const auto& o) { return std::abs(signed_area(o)); });
+  }
+
+  void add_edge(PlacedPart& part, int e) const {
+    const Placement& at = placed_.placements[part.part];
+    const Crease& edge = net_.sheet.edges[e];
+    if (sides_.is_fold(e)) {
+      part.folds.push_back(
+          {e, at(sides_.from(sides_.side(e))), at(sides_.to(sides_.side(e))), kind(edge), edge.fold_angle});
+    } else if (tab_of_[e]) {
+      Tab tab{e, net_.mate[e], tab_of_[e]->corners, seam_angle(e)};
+      for (Vec2& p : tab.corners) p = at(p);
+      part.tabs.push_back(tab);
+    }
+  }
+
+  Assignment kind(const Crease& edge) const {
+    if (edge.fold_angle == 0 && (edge.assignment == Assignment::Mountain || edge.assignment == Assignment::Valley))
+      return edge.assignment;
+    return assignment_of(edge.fold_angle, options_.flat);
+  }
+
+  // Not known: most seams of a model are convex.
+  double seam_angle(int e) const {
+    if (!shape_.seam_angle.empty() && !net_.mesh_edge.empty() && net_.mesh_edge[e] >= 0 &&
+        net_.mesh_edge[e] < static_cast<int>(shape_.seam_angle.size()))
+      return shape_.seam_angle[net_.mesh_edge[e]];
+    if (net_.sheet.edges[e].fold_angle != 0) return net_.sheet.edges[e].fold_angle;
+    return -kPi / 2;
+  }
+
+  const NetSides& sides_;
+  const Unfolding& net_;
+  const Outlines& outlines_;
+  const Placed& placed_;
+  const FoldedShape& shape_;
+  const SheetOptions& options_;
+  std::vector<const NetTab*> tab_of_;
+};
+
+// "A:1", "A:2", ... in the order of walking around the parts; both edges of a seam get the one first met.
+std::vector<std::string> seam_names(const Unfolding& net, const Outlines& outlines) {
+  std::vector<std::string> names(net.sheet.num_edges());
+  for (std::size_t p = 0; p < outlines.size(); ++p) {
+    int number = 0;
+    for (const auto& loop : outlines[p])
+      for (int e : loop)
+        if (net.mate[e] >= 0 && names[e].empty())
+          names[e] = names[net.mate[e]] = fmt::format("{}:{}", part_name(static_cast<int>(p)), ++number);
+  }
+  return names;
+}
+
+int count_pages_without_ruler(const Sheet& sheet) {
+  return static_cast<int>(
+      std::ranges::count_if(sheet.pages, [](const Page& p) { return p.key_form == KeyForm::None; }));
+}
+
+void check(const SheetOptions& options) {
+  check(options.page);
+  check(options.tabs);
+  check(options.labels);
+  if (!(options.flat >= 0 && options.flat <= kPi / 2))
+    throw InvalidOption(fmt::format("flat = {:g} deg must be in [0, 90] deg", degrees(options.flat)));
+}
+
+}  // namespace
+
+SheetResult make_sheet(const Unfolding& model_net, const FoldedShape& shape, const SheetOptions& options,
+                       const Run& run) {
+  check(options);
+  SheetResult result;
+  SheetReport& report = result.report;
+  report.scale = scale_of(shape, options.size);
+  report.final_size = report.scale * shape.size;
+
+  Unfolding net = in_millimetres(model_net, report.scale);
+  if (options.split && any_too_large(net, room_without_tabs(options))) {
+    const std::vector<char> cuts = cuts_to_fit(NetSides(net), room_without_tabs(options));
+    report.folds_cut = static_cast<int>(std::ranges::count(cuts, 1));
+    net = cut_folds(net, cuts);
+  }
+  const NetSides sides(net);
+  const Outlines outlines = sides.outlines();
+  run.report("making tabs", 0);
+  report.tabs = make_tabs(sides, outlines, options.tabs);
+
+  const std::vector<PlaceItem> items = place_items(net, report.tabs);
+  std::vector<std::vector<Vec2>> hulls, bare;
+  for (const PlaceItem& item : items) hulls.push_back(item.hull);
+  for (auto& points : part_points(net)) bare.push_back(convex_hull(std::move(points)));
+  require_fit(hulls, bare, report.scale, shape, options, options.split);
+  const Placed placed = place(items, options.page, options.place, run);
+
+  Sheet& sheet = result.sheet;
+  sheet.pages = placed.pages;
+  sheet.scale = report.scale;
+  sheet.folded_size = report.final_size;
+  sheet.margin = options.page.margin;
+  sheet.parts = Assembler(sides, outlines, report.tabs, placed, shape, options).parts();
+  add_marks(sheet, sides, outlines, options.marks);
+  run.report("writing labels", 0);
+  report.labels = add_labels(sheet, seam_names(net, outlines), Font(), options.labels);
+  report.pages = static_cast<int>(sheet.pages.size());
+  report.parts = static_cast<int>(sheet.parts.size());
+  report.fill_ratio = placed.fill_ratio;
+  report.pages_without_ruler = count_pages_without_ruler(sheet);
+  return result;
+}
+
+}  // namespace plico

@@ -1,0 +1,48 @@
+// From a net to something to hold: one layout in millimetres with tabs, labels and marks, ready to be drawn.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "plico/base/run.h"
+#include "plico/fabricate/labels.h"
+#include "plico/fabricate/marks.h"
+#include "plico/fabricate/page.h"
+#include "plico/fabricate/place.h"
+#include "plico/fabricate/tabs.h"
+#include "plico/fold/sheet.h"
+
+namespace plico {
+
+struct SheetOptions {
+  SizeOptions size;
+  PageOptions page;
+  PlaceOptions place;
+  TabOptions tabs;
+  LabelOptions labels;
+  MarkOptions marks;
+  bool split = false;          // cut parts that are too large for a page
+  double flat = radians(0.5);  // folds up to this angle count as flat, radians
+};
+
+struct SheetReport {
+  double scale = 1;                // millimetres per unit
+  Vec3 final_size = Vec3::Zero();  // of the folded model, millimetres
+  int pages = 0, parts = 0;
+  int folds_cut = 0;      // by splitting
+  double fill_ratio = 0;  // parts and tabs over printable area
+  Tabs tabs;              // tabs made, shrunk, moved, omitted
+  LabelReport labels;
+  int pages_without_ruler = 0;
+};
+
+struct SheetResult {
+  Sheet sheet;
+  SheetReport report;
+};
+
+// Lays out `net` (in the model's unit). Throws InvalidInput when a part fits no page, saying the largest size that
+// would fit, unless it may be split; InvalidOption when an option is out of range.
+SheetResult make_sheet(const Unfolding& net, const FoldedShape& shape, const SheetOptions& options = {},
+                       const Run& run = {});
+
+}  // namespace plico

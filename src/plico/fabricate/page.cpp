@@ -1,0 +1,89 @@
+#include "plico/fabricate/page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "plico/base/error.h"
+#include "plico/base/units.h"
+#include "plico/mesh/measures.h"
+
+namespace plico {
+namespace {
+
+struct Paper {
+  std::string_view name;
+  double width, height;  // millimetres
+};
+constexpr Paper kPapers[] = {{"a5", 148, 210},         {"a4", 210, 297},         {"a3", 297, 420},
+                             {"a2", 420, 594},         {"letter", 215.9, 279.4}, {"legal", 215.9, 355.6},
+                             {"tabloid", 279.4, 431.8}};
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  std::ranges::transform(result, result.begin(), [](unsigned char c) { return std::tolower(c); });
+  return result;
+}
+
+// "12" and "18in": a unit that only the second length has holds for both.
+Vec2 custom_size(const std::string& width, const std::string& height) {
+  const std::size_t unit = height.find_first_not_of("0123456789.");
+  const bool bare = width.find_first_not_of("0123456789.") == std::string::npos;
+  const std::string suffix = bare && unit != std::string::npos ? height.substr(unit) : "";
+  return {parse_length_mm(width + suffix), parse_length_mm(height)};
+}
+
+}  // namespace
+
+void check(const PageOptions& options) {
+  if (!(options.size.minCoeff() >= 30 && options.size.maxCoeff() <= 5000))
+    throw InvalidOption(
+        fmt::format("page = {:g}x{:g} mm must be in [30, 5000] mm", options.size.x(), options.size.y()));
+  const double most = options.size.minCoeff() / 2 - 10;
+  if (!(options.margin >= 0 && options.margin <= most))
+    throw InvalidOption(fmt::format("margin = {:g} mm must be in [0, {:g}] mm on this page", options.margin, most));
+}
+
+Vec2 printable(const PageOptions& page) { return page.size - Vec2::Constant(2 * page.margin); }
+
+Vec2 paper_size(std::string_view name) {
+  const std::string wanted = lower(name);
+  for (const Paper& paper : kPapers)
+    if (paper.name == wanted) return {paper.width, paper.height};
+  const std::size_t times = wanted.find('x');
+  if (times == std::string::npos || times == 0 || times + 1 == wanted.size())
+    throw InvalidOption(fmt::format("'{}' is not a paper size", name), "try A4, A3, Letter or 300x400mm");
+  return custom_size(wanted.substr(0, times), wanted.substr(times + 1));
+}
+
+FoldedShape folded_shape(const Mesh& mesh) {
+  FoldedShape shape{bounding_box(mesh).sizes(), std::vector<double>(mesh.num_edges())};
+  for (EdgeId e : mesh.edges()) shape.seam_angle[e] = fold_angle(mesh, e);
+  return shape;
+}
+
+double scale_of(const FoldedShape& shape, const SizeOptions& options) {
+  const double up = options.up == 'z' ? shape.size.z() : shape.size.y();
+  const struct {
+    const char* name;
+    double wanted, extent;
+  } sizes[] = {{"height", options.height, up},
+               {"width", options.width, shape.size.x()},
+               {"longest", options.longest, shape.size.maxCoeff()},
+               {"scale", options.scale, 1}};
+  const char* given = nullptr;
+  double scale = 1;
+  for (const auto& [name, wanted, extent] : sizes) {
+    if (std::isnan(wanted)) continue;
+    if (given) throw InvalidOption(fmt::format("{} and {} are both given, one decides the size", given, name));
+    given = name;
+    if (!(wanted > 0)) throw InvalidOption(fmt::format("{} = {:g} must be above 0", name, wanted));
+    if (!(extent > 0)) throw InvalidOption(fmt::format("the model has no {}", name), "try --longest");
+    scale = wanted / extent;
+  }
+  return scale;
+}
+
+}  // namespace plico

@@ -1,0 +1,44 @@
+// Paper sizes and the size of the finished model.
+#pragma once
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "plico/fold/unfolding.h"
+
+namespace plico {
+
+struct PageOptions {
+  Vec2 size{210, 297};  // millimetres
+  double margin = 10;   // left free on every side, millimetres, at least 0
+};
+void check(const PageOptions& options);  // throws InvalidOption naming field, value and range
+
+Vec2 printable(const PageOptions& page);  // the size inside the margins
+
+// "A4", "A3", "Letter", ... or "WIDTHxHEIGHT" with units as parse_length_mm takes them ("300x400", "12x18in");
+// millimetres. Throws InvalidOption otherwise.
+Vec2 paper_size(std::string_view name);
+
+// What the finished model is like: how large, and how far each sheet edge is folded when its seam is glued.
+struct FoldedShape {
+  Vec3 size = Vec3::Zero();        // of its bounding box, in the net's unit
+  std::vector<double> seam_angle;  // of each mesh edge, radians, valley > 0 > mountain; empty when not known
+};
+FoldedShape folded_shape(const Mesh& mesh);
+
+// The wanted size; at most one of the four is given, the others are NaN. None: a net unit is `unit_mm` millimetres.
+struct SizeOptions {
+  double height = std::numeric_limits<double>::quiet_NaN();   // millimetres, along the up axis
+  double width = std::numeric_limits<double>::quiet_NaN();    // millimetres, along x
+  double longest = std::numeric_limits<double>::quiet_NaN();  // millimetres, the longest side of the bounding box
+  double scale = std::numeric_limits<double>::quiet_NaN();    // millimetres per unit
+  char up = 'y';                                              // the axis of the height: 'y' or 'z'
+};
+
+// Millimetres per net unit. Throws InvalidOption when two sizes are given, one is not positive, or the model has no
+// extent along the axis.
+double scale_of(const FoldedShape& shape, const SizeOptions& options);
+
+}  // namespace plico

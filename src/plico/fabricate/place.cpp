@@ -1,0 +1,280 @@
+#include "plico/fabricate/place.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "plico/base/error.h"
+#include "plico/fabricate/cells.h"
+#include "plico/fabricate/split.h"
+#include "plico/geom/polygon.h"
+
+namespace plico {
+namespace {
+
+constexpr double kCell = 1;  // millimetres
+constexpr double kKeyGap = 3;
+
+// An item turned by some angle, as cells; `corner` is the lower left corner of its box.
+struct Turned {
+  double angle = 0;
+  Vec2 corner, size;
+  Cells cells{0, 0};
+};
+
+Eigen::AlignedBox2d turned_box(const PlaceItem& item, double angle) {
+  const Eigen::Rotation2Dd turn(angle);
+  Eigen::AlignedBox2d box;
+  for (const Vec2& p : item.hull) box.extend(turn * p);
+  return box;
+}
+
+Turned turned(const PlaceItem& item, double angle) {
+  const Eigen::AlignedBox2d box = turned_box(item, angle);
+  Turned t{angle, box.min(), box.sizes(),
+           Cells(static_cast<int>(box.sizes().x() / kCell) + 2, static_cast<int>(box.sizes().y() / kCell) + 2)};
+  const Eigen::Rotation2Dd turn(angle);
+  std::vector<Vec2> moved;
+  for (const auto& piece : item.pieces) {
+    moved.clear();
+    for (const Vec2& p : piece) moved.push_back((turn * p - t.corner) / kCell);
+    t.cells.cover(moved);
+  }
+  return t;
+}
+
+struct Spot {
+  int x = 0, y = 0;
+  Vec2 size;
+};
+
+// A page being filled.
+class PageFiller {
+ public:
+  PageFiller(const PageOptions& page, double gap)
+      : page_(page),
+        room_(printable(page)),
+        gap_(gap),
+        taken_(static_cast<int>(std::ceil(room_.x() / kCell)), static_cast<int>(std::ceil(room_.y() / kCell))) {}
+
+  // Keeps the lower edge free for the key.
+  void reserve_key(KeyForm form, double ruler) {
+    const Vec2 size = key_size(form, ruler);
+    for (int y = 0; y < static_cast<int>(std::ceil((size.y() + kKeyGap - gap_) / kCell)); ++y)
+      taken_.set_row(y, 0, taken_.width() - 1);
+    key_ = form;
+    key_at_ = Vec2((room_.x() - size.x()) / 2, 0);
+    reserved_ = size.y() + kKeyGap;
+  }
+
+  // The lowest, then leftmost free place.
+  std::optional<Spot> find(const Turned& t, const Cells& grown) const {
+    const int r = static_cast<int>(std::ceil(radius()));
+    const int last_x = static_cast<int>(std::floor((room_.x() - t.size.x()) / kCell));
+    const int last_y = static_cast<int>(std::floor((room_.y() - t.size.y()) / kCell));
+    for (int y = 0; y <= last_y; ++y)
+      for (int x = 0; x <= last_x; ++x)
+        if (!taken_.hit_by(grown, x - r, y - r)) return Spot{x, y, t.size};
+    return std::nullopt;
+  }
+
+  void put(const Turned& t, const Spot& spot, int item) {
+    taken_.add(t.cells, spot.x, spot.y);
+    items_.push_back({item, t.angle, Vec2(spot.x, spot.y) * kCell - t.corner});
+    used_.extend(Eigen::AlignedBox2d(Vec2(spot.x, spot.y) * kCell, Vec2(spot.x, spot.y) * kCell + t.size));
+  }
+
+  // A part that needs the whole page stands at its top, alone.
+  void put_alone(const PlaceItem& item, int index, double angle) {
+    const Turned t = turned(item, angle);
+    const Vec2 at = (room_ - t.size).cwiseMax(0).cwiseProduct(Vec2(0.5, 1));
+    taken_ = Cells(taken_.width(), taken_.height());
+    std::vector<Vec2> moved;
+    const Eigen::Rotation2Dd turn(angle);
+    for (const auto& piece : item.pieces) {
+      moved.clear();
+      for (const Vec2& p : piece) moved.push_back((turn * p - t.corner + at) / kCell);
+      taken_.cover(moved);
+    }
+    key_ = KeyForm::None;
+    items_.push_back({index, angle, at - t.corner});
+    alone_ = true;
+  }
+
+  double radius() const { return gap_ / kCell + 0.5; }
+  bool empty() const { return items_.empty(); }
+  bool alone() const { return alone_; }
+
+  // The finished page; parts are moved to the middle of the room above the key.
+  Page finish(int number, double ruler, std::vector<Placement>& placements) {
+    Page page;
+    page.size = page_.size;
+    page.ruler = ruler;
+    const Vec2 margin = Vec2::Constant(page_.margin);
+    Vec2 shift = margin;
+    if (alone_) {
+      find_key(page);
+    } else {
+      page.key_form = key_;
+      page.key_at = key_at_ + margin;
+      const Vec2 low(0, reserved_), room = room_ - low;
+      shift += low + (room - used_.sizes()) / 2 - used_.min();
+    }
+    for (const auto& [item, angle, at] : items_) placements[item] = {number, angle, at + shift};
+    return page;
+  }
+
+ private:
+  // Somewhere on a page that one part fills: the fullest form for which there is room.
+  void find_key(Page& page) const {
+    for (KeyForm form : {KeyForm::Row, KeyForm::Stack, KeyForm::RulerOnly}) {
+      for (bool upright : {true, false}) {
+        Vec2 size = key_size(form, page.ruler);
+        if (!upright) std::swap(size.x(), size.y());
+        Turned t{0, Vec2::Zero(), size,
+                 Cells(static_cast<int>(std::ceil(size.x())), static_cast<int>(std::ceil(size.y())))};
+        for (int y = 0; y < t.cells.height(); ++y) t.cells.set_row(y, 0, t.cells.width() - 1);
+        const std::optional<Spot> spot = find(t, t.cells.grown(radius()));
+        if (!spot) continue;
+        page.key_form = form;
+        page.key_upright = upright;
+        page.key_at = Vec2(spot->x, spot->y) * kCell + Vec2::Constant(page_.margin);
+        return;
+      }
+    }
+  }
+
+  struct Item {
+    int item;
+    double angle;
+    Vec2 at;
+  };
+  const PageOptions& page_;
+  Vec2 room_;
+  double gap_;
+  Cells taken_;
+  std::vector<Item> items_;
+  Eigen::AlignedBox2d used_;
+  KeyForm key_ = KeyForm::None;
+  Vec2 key_at_ = Vec2::Zero();
+  double reserved_ = 0;
+  bool alone_ = false;
+};
+
+// Rotations to try: along the least rectangle, then in between; fewer when there are many parts.
+std::vector<double> rotations(const PlaceItem& item, std::size_t num_items, const Vec2& room) {
+  const TurnedRectangle least = least_area_rectangle(item.hull);
+  double base = -least.angle;
+  if ((least.size.x() > least.size.y()) != (room.x() > room.y())) base += kPi / 2;  // long side along long side
+  const int steps = num_items <= 60 ? 12 : 4;
+  std::vector<double> angles;
+  for (int i = 0; i < steps; ++i) angles.push_back(base + i * 2 * kPi / steps);
+  if (const auto fits = angle_that_fits(item.hull, room)) angles.push_back(*fits);
+  return angles;
+}
+
+KeyForm key_that_fits(const Vec2& room, double& ruler) {
+  for (double length : {100.0, 50.0, 20.0}) {
+    ruler = length;
+    for (KeyForm form : {KeyForm::Row, KeyForm::Stack, KeyForm::RulerOnly})
+      if (key_size(form, length).x() <= room.x()) return form;
+  }
+  return KeyForm::None;
+}
+
+class Placer {
+ public:
+  Placer(const std::vector<PlaceItem>& items, const PageOptions& page, const PlaceOptions& options)
+      : items_(items), page_(page), options_(options), room_(printable(page)), form_(key_that_fits(room_, ruler_)) {}
+
+  Placed run(const Run& run) {
+    std::vector<int> order(items_.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::stable_sort(order, std::greater<>(), [&](int i) { return signed_area(items_[i].hull); });
+    int done = 0;
+    for (int i : order) {
+      run.report("placing parts", done++, static_cast<long>(order.size()));
+      add(i);
+    }
+    Placed placed;
+    placed.placements.resize(items_.size());
+    for (std::size_t p = 0; p < pages_.size(); ++p)
+      placed.pages.push_back(pages_[p].finish(static_cast<int>(p), ruler_, placed.placements));
+    double area = 0;
+    for (const PlaceItem& item : items_) area += item.area;
+    if (!pages_.empty()) placed.fill_ratio = area / (room_.prod() * static_cast<double>(pages_.size()));
+    return placed;
+  }
+
+ private:
+  void add(int i) {
+    std::vector<Turned> ways;
+    std::vector<Cells> grown;
+    for (double angle : rotations(items_[i], items_.size(), room_)) {
+      const Vec2 size = turned_box(items_[i], angle).sizes();
+      if (size.x() > room_.x() || size.y() > room_.y()) continue;
+      ways.push_back(turned(items_[i], angle));
+      grown.push_back(ways.back().cells.grown(options_.gap / kCell + 0.5));
+    }
+    if (ways.empty()) throw InvalidInput("fabricate/part-too-large", fmt::format("part {} fits no page", i));
+    for (PageFiller& page : pages_)
+      if (!page.alone() && put_lowest(page, i, ways, grown)) return;
+    pages_.push_back(new_page());
+    if (!put_lowest(pages_.back(), i, ways, grown)) pages_.back().put_alone(items_[i], i, ways.back().angle);
+  }
+
+  PageFiller new_page() const {
+    PageFiller page(page_, options_.gap);
+    page.reserve_key(form_, ruler_);
+    return page;
+  }
+
+  bool put_lowest(PageFiller& page, int item, const std::vector<Turned>& ways, const std::vector<Cells>& grown) {
+    std::optional<Spot> best;
+    std::size_t way = 0;
+    const auto cost = [](const Spot& s) { return std::pair(s.y * kCell + s.size.y(), s.x * kCell + s.size.x()); };
+    for (std::size_t w = 0; w < ways.size(); ++w) {
+      if (best && items_.size() == 1) break;  // nothing else to make room for: the straight way looks best
+      const std::optional<Spot> spot = page.find(ways[w], grown[w]);
+      if (spot && (!best || cost(*spot) < cost(*best))) best = spot, way = w;
+    }
+    if (best) page.put(ways[way], *best, item);
+    return best.has_value();
+  }
+
+  const std::vector<PlaceItem>& items_;
+  const PageOptions& page_;
+  const PlaceOptions& options_;
+  Vec2 room_;
+  double ruler_ = 100;
+  KeyForm form_;
+  std::vector<PageFiller> pages_;
+};
+
+}  // namespace
+
+Vec2 key_size(KeyForm form, double ruler) {
+  switch (form) {
+    case KeyForm::Row:
+      return {ruler + 75, 9};
+    case KeyForm::Stack:
+      return {ruler + 2, 21};
+    case KeyForm::RulerOnly:
+      return {ruler + 2, 8};
+    case KeyForm::None:
+      break;
+  }
+  return Vec2::Zero();
+}
+
+Placed place(const std::vector<PlaceItem>& items, const PageOptions& page, const PlaceOptions& options,
+             const Run& run) {
+  check(page);
+  if (!(options.gap >= 0 && options.gap <= 100))
+    throw InvalidOption(fmt::format("gap = {:g} mm must be in [0, 100] mm", options.gap));
+  return Placer(items, page, options).run(run);
+}
+
+}  // namespace plico
