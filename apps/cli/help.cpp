@@ -115,6 +115,16 @@ std::string command_help(const Command& command) {
          section("Options", command.options, false) + section("Options of every command", others, false);
 }
 
+std::string group_help(const std::vector<Command>& group) {
+  Rows rows, examples;
+  for (const Command& command : group) {
+    rows.emplace_back(command.name, command.summary);
+    if (!command.examples.empty()) examples.push_back(command.examples.front());
+  }
+  return example_lines(examples) + "\nCommands:\n" + two_columns(rows) +
+         "\nplico COMMAND --help tells more about one command.\n";
+}
+
 std::string program_help(const std::vector<Command>& commands) {
   Rows rows;
   for (const Command& command : commands) rows.emplace_back(command.name, command.summary);

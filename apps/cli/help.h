@@ -8,6 +8,7 @@
 namespace plico::cli {
 
 std::string program_help(const std::vector<Command>& commands);
+std::string group_help(const std::vector<Command>& group);  // of commands with the same first word
 std::string command_help(const Command& command);
 
 // `text` broken at spaces so that no line, indented by `indent`, is longer than `width`; the first line is not

@@ -1,10 +1,13 @@
 #include "program.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <new>
 #include <nlohmann/json.hpp>
 
-#include "commands.h"
 #include "help.h"
 #include "parse.h"
 #include "plico/base/error.h"
@@ -71,19 +74,49 @@ bool asks(const std::vector<std::string>& words, const std::string& question) {
   return false;
 }
 
-// The command that the first words name ("info", "origami info") and how many words that takes; throws when none does.
+// The commands whose first of two words is `group`.
+std::vector<Command> members(const std::vector<Command>& commands, const std::string& group) {
+  std::vector<Command> result;
+  std::ranges::copy_if(commands, std::back_inserter(result),
+                       [&](const Command& command) { return command.name.starts_with(group + " "); });
+  return result;
+}
+
+[[noreturn]] void refuse_unknown(const std::vector<Command>& commands, const std::vector<std::string>& words) {
+  std::vector<std::string> names, seconds;
+  for (const Command& command : commands) names.push_back(command.name);
+  for (const Command& command : members(commands, words[0]))
+    seconds.push_back(command.name.substr(words[0].size() + 1));
+  if (seconds.empty())
+    throw InvalidOption(
+        fmt::format("'{}' is not a command of plico{}", words[0], did_you_mean(nearest_word(words[0], names))),
+        "plico --help");
+  const std::string nearest = words.size() > 1 ? nearest_word(words[1], seconds) : "";
+  throw InvalidOption(
+      fmt::format("plico {} needs one of: {}{}", words[0], fmt::join(seconds, ", "), did_you_mean(nearest)),
+      fmt::format("plico {} --help", words[0]));
+}
+
+// The command that the first words name ("info", "origami info") and how many words that takes; null when none does.
 std::pair<const Command*, int> find_command(const std::vector<Command>& commands,
                                             const std::vector<std::string>& words) {
-  for (int taken = 2; taken >= 1; --taken) {
-    if (taken > static_cast<int>(words.size())) continue;
+  for (int taken = std::min<int>(2, static_cast<int>(words.size())); taken >= 1; --taken) {
     const std::string name = taken == 2 ? words[0] + " " + words[1] : words[0];
     for (const Command& command : commands)
       if (command.name == name) return {&command, taken};
   }
-  std::vector<std::string> names;
-  for (const Command& command : commands) names.push_back(command.name);
-  const std::string nearest = nearest_word(words[0], names);
-  throw InvalidOption(fmt::format("'{}' is not a command of plico{}", words[0], did_you_mean(nearest)), "plico --help");
+  return {nullptr, 0};
+}
+
+bool is_help(const std::string& word) { return word == "help" || word == "--help" || word == "-h"; }
+
+// `words` name what help is wanted for: nothing, a command, or a group of commands.
+std::string help_for(const std::vector<Command>& commands, std::vector<std::string> words) {
+  if (is_help(words[0])) words.erase(words.begin());
+  if (words.empty()) return program_help(commands);
+  if (const Command* command = find_command(commands, words).first) return command_help(*command);
+  if (const std::vector<Command> group = members(commands, words[0]); !group.empty()) return group_help(group);
+  refuse_unknown(commands, words);
 }
 
 int run_command(const Command& command, const std::vector<std::string>& words) {
@@ -105,30 +138,23 @@ int run_command(const Command& command, const std::vector<std::string>& words) {
 
 }  // namespace
 
-int run_program(const std::vector<std::string>& words) {
-  const std::vector<Command> commands = all_commands();
+int run_program(const std::vector<Command>& commands, const std::vector<std::string>& words) {
   if (words.empty()) {
     print(program_help(commands), stderr);
     return kUsage;
   }
-  if (words[0] == "--version") {
-    print("plico " + version() + "\n");
-    return kDone;
-  }
   try {
-    const bool wants_help = words[0] == "help" || asks(words, "--help") || asks(words, "-h");
-    std::vector<std::string> rest = words;
-    if (wants_help && (words[0] == "help" || words[0] == "--help" || words[0] == "-h")) rest.erase(rest.begin());
-    if (rest.empty()) {
-      print(program_help(commands));
+    if (words[0] == "--version") {
+      print("plico " + version() + "\n");
       return kDone;
     }
-    const auto [command, taken] = find_command(commands, rest);
-    if (wants_help) {
-      print(command_help(*command));
+    if (is_help(words[0]) || asks(words, "--help") || asks(words, "-h")) {
+      print(help_for(commands, words));
       return kDone;
     }
-    return run_command(*command, {rest.begin() + taken, rest.end()});
+    const auto [command, taken] = find_command(commands, words);
+    if (!command) refuse_unknown(commands, words);
+    return run_command(*command, {words.begin() + taken, words.end()});
   } catch (...) {
     return fail(asks(words, "--json"));
   }
