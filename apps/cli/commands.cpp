@@ -4,7 +4,14 @@
 
 namespace plico::cli {
 
-std::vector<Command> all_commands() { return {print_command(), verify_command(), man_command(), completions_command()}; }
+std::vector<Command> all_commands() {
+  return {
+      print_command(),
+      verify_command(),
+      man_command(),
+      completions_command(),
+  };
+}
 
 std::vector<std::pair<std::string, std::string>> program_examples() {
   return {{"plico craft bird.obj -o bird", "from a mesh to printable pages, all in one folder"},
