@@ -2,3 +2,9 @@
 add_test(NAME outside/fold COMMAND ${CMAKE_CURRENT_LIST_DIR}/fold/run ${CMAKE_CURRENT_BINARY_DIR}/outside_fold
                                    ${CMAKE_CURRENT_SOURCE_DIR}/cli/inputs/cube-net.fold 6 5)
 set_tests_properties(outside/fold PROPERTIES LABELS outside TIMEOUT 120)
+
+# Debian's interpreter, which is the one that has ezdxf.
+find_program(PLICO_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH REQUIRED)
+add_test(NAME outside/pages COMMAND ${PLICO_PYTHON} ${CMAKE_CURRENT_LIST_DIR}/pages/check_pages.py
+                                    $<TARGET_FILE:plico_program> ${CMAKE_CURRENT_SOURCE_DIR}/cli/inputs/cube-net.fold)
+set_tests_properties(outside/pages PROPERTIES LABELS outside TIMEOUT 120)

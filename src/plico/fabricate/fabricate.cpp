@@ -125,8 +125,11 @@ class Assembler {
       for (int e : loop) {
         outline.push_back(at(sides_.from(sides_.side(e))));
         if (!tab_of_[e]) continue;
-        outline.push_back(at(tab_of_[e]->corners[3]));
-        outline.push_back(at(tab_of_[e]->corners[2]));
+        const auto& [a, b, tip_b, tip_a] = tab_of_[e]->corners;
+        if (a != sides_.from(sides_.side(e))) outline.push_back(at(a));
+        outline.push_back(at(tip_a));
+        outline.push_back(at(tip_b));
+        if (b != sides_.to(sides_.side(e))) outline.push_back(at(b));
       }
       part.outlines.push_back(std::move(outline));
     }

@@ -41,7 +41,8 @@ void add_square(PlacedPart& part, const PlacedPanel& panel, int i) {
 
 void add_stroke(PlacedPart& part, const PlacedPanel& panel, int side, double at) {
   const Vec2 &a = panel.corners[side], &b = corner(panel, side + 1);
-  const Vec2 foot = a + at * (b - a), in = perpendicular((b - a).normalized());
+  const Vec2 in = perpendicular((b - a).normalized());
+  const Vec2 foot = a + at * (b - a) + 1e-6 * in;  // rounding must not put it outside
   const Vec2 wide = 0.05 * (b - a).normalized();
   for (double length = kStroke; length > 0.5; length *= 0.7) {
     const Vec2 top = foot + length * in;

@@ -163,11 +163,27 @@ class PageFiller {
   bool alone_ = false;
 };
 
-// Rotations to try: along the least rectangle, then in between; fewer when there are many parts.
+// The direction that most sides share up to quarter turns, when most do: the grain of a box-like part.
+std::optional<double> grain(const PlaceItem& item) {
+  double x = 0, y = 0, all = 0;
+  for (const auto& piece : item.pieces) {
+    for (std::size_t i = 0; i < piece.size(); ++i) {
+      const Vec2 side = piece[(i + 1) % piece.size()] - piece[i];
+      const double angle = 4 * std::atan2(side.y(), side.x()), length = side.norm();
+      x += length * std::cos(angle);
+      y += length * std::sin(angle);
+      all += length;
+    }
+  }
+  if (std::hypot(x, y) < 0.6 * all) return std::nullopt;
+  return std::atan2(y, x) / 4;
+}
+
+// Rotations to try: along the grain or the least rectangle, then in between; fewer when there are many parts.
 std::vector<double> rotations(const PlaceItem& item, std::size_t num_items, const Vec2& room) {
-  const TurnedRectangle least = least_area_rectangle(item.hull);
-  double base = -least.angle;
-  if ((least.size.x() > least.size.y()) != (room.x() > room.y())) base += kPi / 2;  // long side along long side
+  double base = -grain(item).value_or(least_area_rectangle(item.hull).angle);
+  const Vec2 size = turned_box(item, base).sizes();
+  if ((size.x() > size.y()) != (room.x() > room.y())) base += kPi / 2;  // long side along long side
   const int steps = num_items <= 60 ? 12 : 4;
   std::vector<double> angles;
   for (int i = 0; i < steps; ++i) angles.push_back(base + i * 2 * kPi / steps);

@@ -13,9 +13,16 @@
 namespace plico {
 namespace {
 
-// A trapezoid over a base of some length: slanted at the two ends by these angles, this deep.
+// A trapezoid over an edge: how far its base stays away from the two ends, its slants there, its depth.
 struct Trapezoid {
+  double inset_a = 0, inset_b = 0;  // millimetres
   double angle_a, angle_b, depth;
+};
+
+// How much a tab is made smaller: factors of angle and depth, and parts of the edge left free at its ends.
+struct Trim {
+  double angle, depth, inset_a, inset_b;
+  double size() const { return depth * (1 - inset_a - inset_b) * (0.6 + 0.4 * angle); }
 };
 
 constexpr double kClearance = 0.3;           // millimetres between a tip and whatever is beyond it
@@ -23,16 +30,36 @@ constexpr double kSpread = radians(3);       // between a slanted side and whate
 constexpr double kLeastDepth = 1.5;          // millimetres; a shallower tab holds nothing
 constexpr double kLeastAngle = radians(12);  // a flatter slant leaves no tip
 constexpr double kSlightlySmaller = 0.6;     // of the full depth: down to here before the other side is tried
-constexpr double kDepths[] = {1, 0.85, 0.7, 0.6, 0.5, 0.4, 0.3};
-constexpr double kAngles[] = {1, 0.7, 0.45};
+constexpr double kOffEdge = 1e-9;            // millimetres; points on an edge are rounded to either side of it
+
+// All ways to trim a tab, the least trimmed first.
+std::vector<Trim> trims() {
+  std::vector<Trim> all;
+  for (double depth : {1.0, 0.85, 0.7, 0.6, 0.5, 0.4, 0.3})
+    for (double angle : {1.0, 0.7, 0.45})
+      for (double inset_a : {0.0, 0.2, 0.4})
+        for (double inset_b : {0.0, 0.2, 0.4}) all.push_back({angle, depth, inset_a, inset_b});
+  std::ranges::stable_sort(all, std::greater<>(), &Trim::size);
+  return all;
+}
 
 double slope(double angle) { return 1 / std::tan(angle); }
 
-// Points above the base from a to b, `out` being its unit normal on the side of the tab.
+// Points above the edge from a to b, `out` being its unit normal on the side of the tab.
 std::array<Vec2, 4> raise(const Vec2& a, const Vec2& b, const Vec2& out, const Trapezoid& t) {
   const Vec2 along = (b - a).normalized();
-  return {a, b, b + out * t.depth - along * (t.depth * slope(t.angle_b)),
-          a + out * t.depth + along * (t.depth * slope(t.angle_a))};
+  const Vec2 base_a = t.inset_a > 0 ? Vec2(a + along * t.inset_a) : a;  // the very corner where there is no inset
+  const Vec2 base_b = t.inset_b > 0 ? Vec2(b - along * t.inset_b) : b;
+  return {base_a, base_b, base_b + out * t.depth - along * (t.depth * slope(t.angle_b)),
+          base_a + out * t.depth + along * (t.depth * slope(t.angle_a))};
+}
+
+// The same with base points that are no corners moved off the edge, so that rounding puts them inside no panel.
+std::array<Vec2, 4> raise_off(const Vec2& a, const Vec2& b, const Vec2& out, const Trapezoid& t) {
+  std::array<Vec2, 4> shape = raise(a, b, out, t);
+  if (t.inset_a > 0) shape[0] += kOffEdge * out;
+  if (t.inset_b > 0) shape[1] += kOffEdge * out;
+  return shape;
 }
 
 class TabMaker {
@@ -99,37 +126,36 @@ class TabMaker {
     result_.without.push_back(first);
   }
 
-  // Adds the largest tab that fits on `e`, at least `least` of the full depth.
+  // Adds the largest tab that fits on `e`, at least `least` of the full size.
   bool try_edge(int e, double least) {
     const double base = length(e);
-    bool first_try = true;
-    for (double angle_factor : kAngles) {
-      for (double depth_factor : kDepths) {
-        if (depth_factor < least) break;
-        const std::optional<Trapezoid> t = trapezoid(e, base, angle_factor, depth_factor);
-        if (t && fits(e, *t)) {
-          add(e, *t);
-          const bool full = first_try && t->depth >= 0.999 * options_.depth &&
-                            std::min(t->angle_a, t->angle_b) >= 0.999 * options_.angle;
-          ++(full ? result_.full : result_.shrunk);
-          return true;
-        }
-        first_try = false;
-      }
+    for (const Trim& trim : trims_) {
+      if (trim.size() < least) break;
+      const std::optional<Trapezoid> t = trapezoid(e, base, trim);
+      if (!t || !fits(e, *t)) continue;
+      add(e, *t);
+      const bool full = t->depth >= 0.999 * options_.depth && t->inset_a + t->inset_b == 0 &&
+                        std::min(t->angle_a, t->angle_b) >= 0.999 * options_.angle;
+      ++(full ? result_.full : result_.shrunk);
+      return true;
     }
     return false;
   }
 
   // Slanted no steeper than the corners of the panel it is glued under; at least a fifth of the base is left as tip.
-  std::optional<Trapezoid> trapezoid(int e, double base, double angle_factor, double depth_factor) const {
+  std::optional<Trapezoid> trapezoid(int e, double edge, const Trim& trim) const {
     const PanelSide under = sides_.side(net_.mate[e]);
-    const double most = options_.angle * angle_factor;
-    const auto angle = [&](double corner) { return std::min(most, corner - kSpread); };
-    Trapezoid t{angle(corner_angle(under.panel, under.side + 1)), angle(corner_angle(under.panel, under.side)), 0};
+    const double most = options_.angle * trim.angle;
+    // Away from the corner its angle does not matter any more.
+    const auto angle = [&](double corner, double inset) { return inset > 0 ? most : std::min(most, corner - kSpread); };
+    Trapezoid t{trim.inset_a * edge, trim.inset_b * edge,
+                angle(corner_angle(under.panel, under.side + 1), trim.inset_a),
+                angle(corner_angle(under.panel, under.side), trim.inset_b), 0};
     if (std::min(t.angle_a, t.angle_b) < kLeastAngle) return std::nullopt;
+    const double base = edge - t.inset_a - t.inset_b;
     const double highest = 0.8 * base / (slope(t.angle_a) + slope(t.angle_b));
-    t.depth = std::min(options_.depth, highest) * depth_factor;
-    if (t.depth < kLeastDepth) return std::nullopt;
+    t.depth = std::min(options_.depth, highest) * trim.depth;
+    if (t.depth < kLeastDepth || base < options_.shortest_edge) return std::nullopt;
     return t;
   }
 
@@ -144,29 +170,26 @@ class TabMaker {
 
   // The same trapezoid a little larger; what is free of this is clear of the tab.
   static Trapezoid grown(const Trapezoid& t) {
-    return {t.angle_a + kSpread, t.angle_b + kSpread, t.depth + kClearance};
+    return {t.inset_a, t.inset_b, t.angle_a + kSpread, t.angle_b + kSpread, t.depth + kClearance};
   }
 
   bool fits(int e, const Trapezoid& t) const {
     const PanelSide s = sides_.side(e), under = sides_.side(net_.mate[e]);
-    const auto outside = raised(s, t, true);
+    const Vec2 from = sides_.from(s), to = sides_.to(s);
+    const auto outside = raise_off(from, to, -perpendicular((to - from).normalized()), grown(t));
     const std::array<Vec2, 4> shape{outside[1], outside[0], outside[3], outside[2]};  // counter-clockwise
     if (taken_.overlaps(shape, net_.part[s.panel])) return false;
     const Vec2 a = sides_.to(under), b = sides_.from(under);  // a meets a, b meets b
-    Vec2 in = perpendicular((a - b).normalized());
-    auto turned_over = raise(a, b, in, {t.angle_a, t.angle_b, t.depth + kClearance});
+    const Trapezoid deeper{t.inset_a, t.inset_b, t.angle_a, t.angle_b, t.depth + kClearance};
+    auto turned_over = raise_off(a, b, perpendicular((a - b).normalized()), deeper);
     std::ranges::reverse(turned_over);
     return contains(polygon(net_.sheet, under.panel), turned_over);
   }
 
-  std::array<Vec2, 4> raised(PanelSide s, const Trapezoid& t, bool with_clearance) const {
-    const Vec2 a = sides_.from(s), b = sides_.to(s);
-    return raise(a, b, -perpendicular((b - a).normalized()), with_clearance ? grown(t) : t);
-  }
-
   void add(int e, const Trapezoid& t) {
     const PanelSide s = sides_.side(e);
-    const std::array<Vec2, 4> c = raised(s, t, false);
+    const Vec2 from = sides_.from(s), to = sides_.to(s);
+    const std::array<Vec2, 4> c = raise(from, to, -perpendicular((to - from).normalized()), t);
     result_.tabs.push_back({e, net_.mate[e], c});
     taken_.add({c[1], c[0], c[3], c[2]}, net_.part[s.panel]);
   }
@@ -175,6 +198,7 @@ class TabMaker {
   const Unfolding& net_;
   const TabOptions& options_;
   PieceGrid taken_;
+  const std::vector<Trim> trims_ = trims();
   Tabs result_;
 };
 

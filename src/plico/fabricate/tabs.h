@@ -28,7 +28,7 @@ struct Tabs {
   std::vector<NetTab> tabs;  // by edge
   int seams = 0;             // of which a tab was wanted
   int full = 0;              // tabs of full depth and angle
-  int shrunk = 0;            // tabs made smaller so that they fit
+  int shrunk = 0;            // tabs less deep, less steep or shorter than their edge, so that they fit
   int moved = 0;             // seams whose tab is on the other side than the rule says
   int omitted = 0;           // seams without a tab because none fits
   int short_seams = 0;       // seams shorter than shortest_edge

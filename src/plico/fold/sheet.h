@@ -16,7 +16,7 @@ struct PlacedPanel {
   std::vector<int> edges;
 };
 
-// A glue flap: base from a to b as its panel has them (counter-clockwise), tip outside.
+// A glue flap: base from a to b on its edge, in the direction that its panel has it (counter-clockwise), tip outside.
 // `mate` is the edge under whose panel it is glued.
 struct Tab {
   int edge = -1, mate = -1;

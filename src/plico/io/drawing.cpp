@@ -143,14 +143,17 @@ class Drafter {
       x += in_words ? font_.width(words, size) + 4 : 8 + font_.width(text, size) + 4;
     }
     std::string title = page_title();
-    while (font_.width(title, size) > room && title.size() > 1) title.pop_back();
+    while (font_.width(title, size) > room && title.size() > 1) {
+      while ((title.back() & 0xC0) == 0x80) title.pop_back();  // the rest of a letter of several bytes
+      title.pop_back();
+    }
     key_text(title, title_x, title_y, pt);
   }
 
   std::string page_title() const {
-    const std::string name = options_.title.empty() ? "" : options_.title + "   ";
+    const std::string name = options_.title.empty() ? "" : options_.title + " · ";
     const Vec3& s = sheet_.folded_size;
-    return fmt::format("{}{:.0f} × {:.0f} × {:.0f} mm   page {} of {}", name, s.x(), s.y(), s.z(), number_ + 1,
+    return fmt::format("{}{:.0f} × {:.0f} × {:.0f} mm · page {} of {}", name, s.x(), s.y(), s.z(), number_ + 1,
                        sheet_.pages.size());
   }
 

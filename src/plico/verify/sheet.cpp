@@ -115,28 +115,34 @@ class Judge {
   void judge_tab(const Tab& tab) {
     const auto own = sides_.find(tab.edge), mate = sides_.find(tab.mate);
     if (own == sides_.end() || mate == sides_.end() || own->second.size() != 1 || mate->second.size() != 1 ||
-        !same(own->second[0].from(), tab.corners[0]) || !same(own->second[0].to(), tab.corners[1])) {
+        !stands_on(own->second[0], tab)) {
       ++verdict_.loose_tabs;
       complain(fmt::format("the tab of edge {} does not stand on that edge", tab.edge));
       return;
     }
     const Side under = mate->second[0];
-    const std::vector<Vec2> turned = turned_over(tab, under);
+    const std::vector<Vec2> turned = turned_over(tab, own->second[0], under);
     const double area = signed_area(turned);
     if (shared_area(turned, under.panel->corners) >= area - kTolerance * (1 + area)) return;
     ++verdict_.misfit_tabs;
     complain(fmt::format("the tab of edge {} sticks out of the panel it is glued under", tab.edge));
   }
 
-  static bool same(const Vec2& a, const Vec2& b) { return (a - b).norm() <= kTolerance; }
+  // Both ends of the base lie on the side, in its direction.
+  static bool stands_on(const Side& side, const Tab& tab) {
+    const Vec2 edge = side.to() - side.from(), x = edge.normalized();
+    const Vec2 a = tab.corners[0] - side.from(), b = tab.corners[1] - side.from();
+    const auto off = [&](const Vec2& p) { return std::abs(cross(x, p)) > kTolerance; };
+    return !off(a) && !off(b) && a.dot(x) >= -kTolerance && a.dot(x) < b.dot(x) && b.dot(x) <= edge.norm() + kTolerance;
+  }
 
   // The tab on the inner side of its mate edge, counter-clockwise: where it is glued.
-  static std::vector<Vec2> turned_over(const Tab& tab, const Side& under) {
-    const Vec2 x = (tab.corners[1] - tab.corners[0]).normalized(), y = -perpendicular(x);
+  static std::vector<Vec2> turned_over(const Tab& tab, const Side& own, const Side& under) {
+    const Vec2 x = (own.to() - own.from()).normalized(), y = -perpendicular(x);
     const Vec2 to_x = (under.from() - under.to()).normalized(), to_y = perpendicular(-to_x);  // into the panel
     std::vector<Vec2> turned;
     for (const Vec2& p : tab.corners) {
-      const Vec2 d = p - tab.corners[0];
+      const Vec2 d = p - own.from();
       turned.push_back(under.to() + d.dot(x) * to_x + d.dot(y) * to_y);
     }
     return {turned[3], turned[2], turned[1], turned[0]};

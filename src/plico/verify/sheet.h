@@ -10,7 +10,7 @@ namespace plico {
 struct SheetVerdict {
   long overlaps = 0;      // pairs of panels and tabs on one page that share an interior point, exact (verify/overlap.h)
   int off_page = 0;       // panels and tabs that reach into the margin
-  int loose_tabs = 0;     // tabs whose base is not the edge it claims
+  int loose_tabs = 0;     // tabs whose base is not on the edge it claims
   int misfit_tabs = 0;    // tabs that, turned over their seam, stick out of the panel they are glued under
   int open_outlines = 0;  // parts whose outlines do not enclose the area of their panels and tabs
   std::vector<std::string> problems;  // one sentence each, the first 20
