@@ -92,6 +92,7 @@ Session::Session(SharedOptions shared, std::string command, std::vector<Given> g
   state_->command = std::move(command);
   state_->given = std::move(given);
   state_->progress = make_progress(state_->shared.quiet ? "none" : state_->shared.progress);
+  if (!state_->shared.report_file.empty()) check_writable(state_->shared.report_file);
 }
 
 Session::~Session() = default;
@@ -139,7 +140,6 @@ std::vector<std::string> Session::outputs(const std::string& default_path) const
   std::vector<std::string> paths = state_->shared.outputs;
   if (paths.empty() && !default_path.empty()) paths.push_back(default_path);
   for (const std::string& path : paths) check_writable(path);
-  if (!state_->shared.report_file.empty()) check_writable(state_->shared.report_file);
   return paths;
 }
 
@@ -187,7 +187,7 @@ void Session::detail(std::string_view line) const {
   if (state_->shared.verbose > 0) fmt::print(stderr, "{}\n", line);
 }
 
-void Session::warn(std::string_view line) const { fmt::print(stderr, "plico: warning: {}\n", line); }
+void Session::warn(std::string_view line) const { say(fmt::format("plico: warning: {}", line)); }
 
 bool Session::uses_stdout() const {
   const SharedOptions& shared = state_->shared;

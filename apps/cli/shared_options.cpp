@@ -42,6 +42,9 @@ void check(const SharedOptions& shared) {
   if (to_stdout > 1)
     throw InvalidOption("only one of -o -, --report - and --json can use standard output",
                         "write one of them to a file");
+  for (auto path = shared.outputs.begin(); path != shared.outputs.end(); ++path)
+    if (std::find(shared.outputs.begin(), path, *path) != path)
+      throw InvalidOption(fmt::format("--output {} is given twice", *path), "give each output once");
   if (shared.quiet && shared.verbose > 0) throw InvalidOption("--quiet and --verbose contradict each other");
 }
 
