@@ -83,7 +83,21 @@ MeshSource read_mesh_source(std::string_view bytes, const std::string& name) {
 
 MeshSource read_mesh_file(const std::string& path) { return read_mesh_source(read_file(path), path); }
 
-Mesh to_mesh(MeshSource source) { return Mesh(std::move(source.soup)); }
+std::string place_of(const MeshSource& source, const Problem& problem) {
+  const auto& places = problem.faces.empty() ? source.point_place : source.face_place;
+  const auto& elements = problem.faces.empty() ? problem.vertices : problem.faces;
+  if (elements.empty() || elements[0] >= static_cast<int>(places.size())) return source.name;
+  return source.place(places[elements[0]]);
+}
+
+Mesh to_mesh(MeshSource source) {
+  const CheckReport report = check_mesh(source.soup, {.self_intersections = false});
+  if (report.usable()) return Mesh(std::move(source.soup));
+  const Problem& first = report.problems.front();
+  const std::string place = place_of(source, first);
+  throw InvalidInput(first.code, first.message, first.where.empty() ? place : place + ": " + first.where,
+                     first.suggestion.empty() ? "" : fmt::format("{} {}", first.suggestion, source.name));
+}
 
 Mesh load_mesh(const std::string& path) { return to_mesh(read_mesh_file(path)); }
 

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "plico/io/mesh_source.h"
+#include "plico/mesh/check.h"
 #include "plico/mesh/mesh.h"
 
 namespace plico {
@@ -19,6 +20,9 @@ PolygonSoup read_mesh(std::string_view bytes, MeshFormat format);
 // The same with the places of all elements; the format by the extension of `name`, else by the contents.
 MeshSource read_mesh_source(std::string_view bytes, const std::string& name);
 MeshSource read_mesh_file(const std::string& path);  // "-" is standard input
+
+// Where in the file the first element stands that a problem of source.soup is about: "bunny.obj:214".
+std::string place_of(const MeshSource& source, const Problem& problem);
 
 // The surface that every algorithm starts from: the first error that check_mesh finds is thrown as InvalidInput, with
 // the place in the file and the command to try. What check_mesh only warns about is let through.

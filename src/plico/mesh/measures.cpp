@@ -155,4 +155,17 @@ int genus(const Mesh& mesh) {
   return components(mesh).count - (euler + loops) / 2;
 }
 
+bool is_closed(const Mesh& mesh) {
+  for (EdgeId e : mesh.edges())
+    if (mesh.is_boundary(e)) return false;
+  return mesh.num_faces() > 0;
+}
+
+bool is_convex(const Mesh& mesh) {
+  if (!is_closed(mesh) || components(mesh).count != 1 || genus(mesh) != 0) return false;
+  for (EdgeId e : mesh.edges())
+    if (fold_angle(mesh, e) > 1e-9) return false;
+  return true;
+}
+
 }  // namespace plico

@@ -35,6 +35,11 @@ Components components(const Mesh& mesh);
 // Boundary loops, each a list of vertices with the surface on the left.
 std::vector<std::vector<VertexId>> boundary_loops(const Mesh& mesh);
 
+bool is_closed(const Mesh& mesh);  // no boundary, and at least one face
+
+// Closed, in one piece, of genus 0, and no edge a valley (beyond 1e-9 radians).
+bool is_convex(const Mesh& mesh);
+
 // Sum over the components, by Euler's formula; vertices without faces do not count.
 int genus(const Mesh& mesh);
 

@@ -42,12 +42,6 @@ std::vector<Solid> solids() {
           {"quad cube", quad_cube(3), 56, 54, 0}};
 }
 
-bool is_closed(const Mesh& mesh) {
-  for (EdgeId e : mesh.edges())
-    if (mesh.is_boundary(e)) return false;
-  return true;
-}
-
 double worst_planarity(const Mesh& mesh) {
   double worst = 0;
   for (FaceId f : mesh.faces())

@@ -1,0 +1,34 @@
+// Which boxes of a set overlap: a balanced tree of bounding boxes.
+#pragma once
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "plico/base/vec.h"
+
+namespace plico {
+
+class BoxTree {
+ public:
+  // O(n log n).
+  explicit BoxTree(std::span<const Eigen::AlignedBox3d> boxes);
+
+  // Calls visit(i, j), i < j, once for every pair whose closed boxes meet, until it returns false. The order is the
+  // same in every run. O(n log n + pairs) for boxes of similar size.
+  void overlapping_pairs(const std::function<bool(int, int)>& visit) const;
+
+ private:
+  struct Node {
+    Eigen::AlignedBox3d box;
+    int first = 0, last = 0;  // of order_
+    int left = -1, right = -1;
+  };
+  int build(int first, int last);
+
+  std::span<const Eigen::AlignedBox3d> boxes_;  // only while building; copied into the leaves
+  std::vector<Eigen::AlignedBox3d> leaf_boxes_;
+  std::vector<int> order_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace plico
