@@ -6,6 +6,8 @@ namespace plico::cli {
 
 std::vector<Command> all_commands() {
   return {
+      info_command(),
+      check_command(),
       print_command(),
       verify_command(),
       man_command(),

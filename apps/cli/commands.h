@@ -6,6 +6,8 @@
 
 namespace plico::cli {
 
+Command info_command();
+Command check_command();
 Command verify_command();
 Command print_command();
 Command man_command();
