@@ -37,8 +37,8 @@ struct SharedOptions {
 
 class Session {
  public:
-  // From here on Ctrl-C and SIGTERM ask the run to stop; a second one ends the program at once. The time limit starts. Throws FileError when the report cannot be
-  // written.
+  // From here on Ctrl-C and SIGTERM ask the run to stop; a second one ends the program at once. The time limit starts.
+  // Throws FileError when the report cannot be written.
   Session(SharedOptions shared, std::string command, std::vector<Given> given);
   ~Session();
 
