@@ -8,6 +8,7 @@ std::vector<Command> all_commands() {
   return {
       info_command(),
       check_command(),
+      unfold_command(),
       print_command(),
       verify_command(),
       man_command(),

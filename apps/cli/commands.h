@@ -8,6 +8,7 @@ namespace plico::cli {
 
 Command info_command();
 Command check_command();
+Command unfold_command();
 Command verify_command();
 Command print_command();
 Command man_command();

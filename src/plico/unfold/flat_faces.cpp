@@ -69,7 +69,7 @@ void FlatFaces::choose_cell_size() {
     sum += extent.back();
   }
   if (sum == 0) return;
-  cell_size_ = 0.8 * sum / mesh_->num_faces();
+  cell_size_ = 1.2 * sum / mesh_->num_faces();
   // A few faces far larger than the mean must not fill the grid.
   const auto cells = [&] {
     double n = 0;

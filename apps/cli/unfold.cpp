@@ -1,0 +1,109 @@
+// plico unfold: a mesh becomes one verified net, or the fewest parts found.
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "commands.h"
+#include "plico/io/fold.h"
+#include "plico/io/mesh_file.h"
+#include "plico/mesh/measures.h"
+#include "plico/workflow/unfold_mesh.h"
+#include "session.h"
+
+namespace plico::cli {
+namespace {
+
+using nlohmann::json;
+
+struct UnfoldArgs {
+  std::string mesh, method = "search";
+  UnfoldOptions options;
+  int max_steps = -1;
+};
+
+std::string faces_in_the_way(const UnfoldOutcome& outcome) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min<std::size_t>(outcome.in_the_way.size(), 5); ++i)
+    text += fmt::format("{}{}-{}", i ? ", " : "", outcome.in_the_way[i].first, outcome.in_the_way[i].second);
+  return text + (outcome.in_the_way.size() > 5 ? ", ..." : "");
+}
+
+void report_outcome(Session& session, const Mesh& mesh, const UnfoldArgs& args, const UnfoldOutcome& outcome) {
+  json& report = session.report();
+  report["faces"] = mesh.num_faces();
+  report["components"] = components(mesh).count;
+  report["method"] = args.method;
+  report["ending"] = name(outcome.ending);
+  report["parts"] = outcome.verdict.parts;
+  report["steps"] = outcome.steps;
+  report["start_overlaps"] = outcome.start_overlaps;
+  report["proven_impossible"] = outcome.proven_impossible;
+  report["in_the_way"] = outcome.in_the_way;
+  report["verified"] = outcome.verified();
+  report["overlaps"] = outcome.verdict.overlaps.count;
+  report["congruence_error"] = outcome.verdict.congruence_error;
+  report["closing_error"] = outcome.verdict.closing_error;
+  report["search_seconds"] = outcome.search_seconds;
+  report["verify_seconds"] = outcome.verify_seconds;
+}
+
+void say_outcome(const Session& session, const Mesh& mesh, const UnfoldOutcome& outcome) {
+  const int parts = outcome.verdict.parts;
+  session.say(fmt::format("{} faces: {} {}, {}; search {:.3g} s, layout and verification {:.3g} s", mesh.num_faces(),
+                          parts, parts == 1 ? "part" : "parts",
+                          outcome.verified() ? "verified free of overlap" : "NOT verified", outcome.search_seconds,
+                          outcome.verify_seconds));
+  for (const Defect& defect : outcome.verdict.defects) session.warn(defect.message);
+  if (outcome.ending == Ending::Found) return;
+  if (outcome.proven_impossible) {
+    session.warn("no single net exists for a component: every spanning tree overlaps");
+  } else if (!outcome.in_the_way.empty()) {
+    session.warn(
+        fmt::format("no single net found; cut apart were the overlapping faces {}", faces_in_the_way(outcome)));
+  } else {
+    session.warn(
+        fmt::format("no single net found; the best tree had {} overlaps, try --method search", outcome.start_overlaps));
+  }
+}
+
+int unfold_file(UnfoldArgs& args, Session& session) {
+  set_method(args.options, args.method);
+  args.options.search.seed = session.seed();
+  args.options.search.max_steps = args.max_steps;
+  check(args.options);
+  const std::vector<std::string> outputs = session.outputs("-");
+  const Mesh mesh = to_mesh(read_mesh_source(session.read(args.mesh), args.mesh));
+  const UnfoldOutcome outcome = unfold_mesh(mesh, args.options, session.run());
+  report_outcome(session, mesh, args, outcome);
+  say_outcome(session, mesh, outcome);
+  if (!outcome.verified()) return kInternal;
+  if (outcome.ending == Ending::TimedOut) session.repeat_with("--max-steps", std::to_string(outcome.steps));
+  FoldFile file = fold_file(mesh, outcome.unfolding);
+  file.report = session.provenance().dump();
+  const std::string bytes = write_fold(file);
+  for (const std::string& path : outputs) session.write(path, bytes);
+  return Session::exit_code(outcome.ending);
+}
+
+}  // namespace
+
+Command unfold_command() {
+  auto args = std::make_shared<UnfoldArgs>();
+  SearchOptions& search = args->options.search;
+  Command command("unfold", "Cut a mesh open and lay it flat: one verified net, or the fewest parts found");
+  command.example("plico unfold bird.obj -o bird.fold", "one net in a FOLD file")
+      .example("plico unfold bird.obj -o - | plico print - -o bird.pdf", "and straight on to printable pages")
+      .example("plico unfold bird.obj --method steepest-edge -o bird.fold",
+               "by a classic heuristic, in parts if need be")
+      .positional("mesh", "OBJ, OFF, STL or PLY file; - for standard input", args->mesh)
+      .choice("--method", "how the spanning tree is found", args->method, unfold_methods())
+      .option("--directions", "N", "random directions tried by a heuristic method", args->options.directions)
+      .option("--starts", "N", "grown trees of which the search takes the best", search.starts)
+      .option("--effort", "N", "panels looked at in one step of the search", search.effort)
+      .option("--max-steps", "N", "steps of the search; -1: 10,000 and 100 more a face", args->max_steps)
+      .action([args](Session& session) { return unfold_file(*args, session); });
+  return command;
+}
+
+}  // namespace plico::cli
