@@ -141,9 +141,10 @@ class Proof {
       const Eigen::AlignedBox3d& box = boxes_[order_[i]];
       for (int j = i + 1; j < n && boxes_[order_[j]].min().x() <= box.max().x(); ++j) {
         const Eigen::AlignedBox3d& other = boxes_[order_[j]];
-        const bool meet = (other.min().y() <= box.max().y()) & (box.min().y() <= other.max().y()) &
-                          (other.min().z() <= box.max().z()) & (box.min().z() <= other.max().z());
-        if (!meet || !plates_.may_collide(order_[i], order_[j])) continue;
+        // As numbers: four tests without a branch, for this is the inner loop.
+        const int meet = int{other.min().y() <= box.max().y()} & int{box.min().y() <= other.max().y()} &
+                         int{other.min().z() <= box.max().z()} & int{box.min().z() <= other.max().z()};
+        if (meet == 0 || !plates_.may_collide(order_[i], order_[j])) continue;
         if (pairs.size() >= most) return false;
         const auto [a, b] = std::minmax(order_[i], order_[j]);
         pairs.push_back({a, b, motion_.frame_of(plates_.panel[a], plates_.panel[b]), Vec3::Zero()});
