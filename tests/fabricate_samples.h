@@ -8,6 +8,7 @@
 
 #include "plico/base/rng.h"
 #include "plico/fabricate/page.h"
+#include "plico/mesh/shapes.h"
 #include "plico/unfold/search.h"
 
 namespace plico::samples {
@@ -118,6 +119,14 @@ inline std::vector<Shape> shapes() {
     const auto radius = [seed](int v) { return Rng(seed).stream(v).uniform(0.5, 1.3); };
     all.push_back({"star-" + std::to_string(seed), ball(3 + seed, 7, radius)});
   }
+  const double golden = (1 + std::sqrt(5.0)) / 2;
+  all.push_back({"dodecahedron", Mesh(dodecahedron())});
+  all.push_back({"football", Mesh(truncated(Mesh(icosahedron()), 3))});
+  all.push_back({"small-stellated-dodecahedron", Mesh(spiked(Mesh(dodecahedron()), golden))});
+  all.push_back({"great-stellated-dodecahedron", Mesh(spiked(Mesh(icosahedron()), golden))});
+  all.push_back({"geodesic-sphere", Mesh(geodesic_sphere(3))});
+  all.push_back({"quad-cube", Mesh(quad_cube(3))});
+  all.push_back({"open-grid", Mesh(open_grid(3, 4))});
   return all;
 }
 

@@ -173,8 +173,9 @@ class Assembler {
   std::vector<const NetTab*> tab_of_;
 };
 
-// "A:1", "A:2", ... in the order of walking around the parts; both edges of a seam get the one first met.
-std::vector<std::string> seam_names(const Unfolding& net, const Outlines& outlines) {
+// "A:1", "A:2", ... in the order of walking around the parts; both edges of a seam get the one first met. Seams that
+// wanted a tab and have none are marked, they need tape.
+std::vector<std::string> seam_names(const Unfolding& net, const Outlines& outlines, const Tabs& tabs) {
   std::vector<std::string> names(net.sheet.num_edges());
   for (std::size_t p = 0; p < outlines.size(); ++p) {
     int number = 0;
@@ -183,6 +184,8 @@ std::vector<std::string> seam_names(const Unfolding& net, const Outlines& outlin
         if (net.mate[e] >= 0 && names[e].empty())
           names[e] = names[net.mate[e]] = fmt::format("{}:{}", part_name(static_cast<int>(p)), ++number);
   }
+  for (int e : tabs.without)
+    for (int side : {e, net.mate[e]}) names[side] += "°";
   return names;
 }
 
@@ -232,10 +235,11 @@ SheetResult make_sheet(const Unfolding& model_net, const FoldedShape& shape, con
   sheet.scale = report.scale;
   sheet.folded_size = report.final_size;
   sheet.margin = options.page.margin;
+  sheet.has_taped_seams = options.labels.edge_ids && !report.tabs.without.empty();
   sheet.parts = Assembler(sides, outlines, report.tabs, placed, shape, options).parts();
   add_marks(sheet, sides, outlines, options.marks);
   run.report("writing labels", 0);
-  report.labels = add_labels(sheet, seam_names(net, outlines), Font(), options.labels);
+  report.labels = add_labels(sheet, seam_names(net, outlines, report.tabs), Font(), options.labels);
   report.pages = static_cast<int>(sheet.pages.size());
   report.parts = static_cast<int>(sheet.parts.size());
   report.fill_ratio = placed.fill_ratio;

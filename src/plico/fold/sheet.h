@@ -74,6 +74,7 @@ struct Sheet {
   double scale = 1;                 // millimetres per unit of the net
   Vec3 folded_size = Vec3::Zero();  // of the finished model, millimetres
   double margin = 0;                // kept free around each page
+  bool has_taped_seams = false;     // some seams have no tab; their ids end in a degree sign
 };
 
 }  // namespace plico

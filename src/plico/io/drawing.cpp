@@ -153,8 +153,8 @@ class Drafter {
   std::string page_title() const {
     const std::string name = options_.title.empty() ? "" : options_.title + " · ";
     const Vec3& s = sheet_.folded_size;
-    return fmt::format("{}{:.0f} × {:.0f} × {:.0f} mm · page {} of {}", name, s.x(), s.y(), s.z(), number_ + 1,
-                       sheet_.pages.size());
+    return fmt::format("{}{:.0f} × {:.0f} × {:.0f} mm · page {} of {}{}", name, s.x(), s.y(), s.z(), number_ + 1,
+                       sheet_.pages.size(), sheet_.has_taped_seams ? " · ° tape" : "");
   }
 
   const Sheet& sheet_;

@@ -163,6 +163,16 @@ TEST(Tabs, VeryShortEdgesHaveNone) {
   EXPECT_EQ(report.tabs.short_seams, 7);
 }
 
+TEST(Tabs, SeamsWithoutATabAreMarkedOnBothEdges) {
+  const Mesh mesh = cube();
+  SheetOptions options = of_longest(40);
+  options.tabs.shortest_edge = 41;
+  const SheetResult result = make_sheet(net_of(mesh), folded_shape(mesh), options);
+  EXPECT_TRUE(result.sheet.has_taped_seams);
+  for (const Label& label : result.sheet.parts[0].labels) EXPECT_TRUE(label.text.ends_with("°")) << label.text;
+  EXPECT_FALSE(cube_sheet(of_longest(40)).sheet.has_taped_seams);
+}
+
 TEST(Tabs, OptionsOutOfRangeAreNamed) {
   SheetOptions options = of_longest(40);
   options.tabs.angle = radians(85);
