@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <iterator>
 #include <memory>
 #include <qpdf/Buffer.hh>
 #include <qpdf/QPDF.hh>
@@ -64,27 +63,25 @@ std::string text_pages(const std::vector<Drawing>& pages) {
 // The lines of one layer as PDF operators, in millimetres.
 std::string operators(const Drawing& drawing, Layer layer) {
   std::string out;
-  const auto add = [&]<class... Args>(fmt::format_string<Args...> format, Args&&... args) {
-    fmt::format_to(std::back_inserter(out), format, std::forward<Args>(args)...);
-  };
-  add("{0:.12f} 0 0 {0:.12f} 0 0 cm 1 j\n", kPointsPerMillimetre);
+  out += fmt::format("{0:.12f} 0 0 {0:.12f} 0 0 cm 1 j\n", kPointsPerMillimetre);
   int last_pen = -1;
   for (const Stroke& stroke : drawing.strokes) {
     if (stroke.layer != layer) continue;
     const Pen& pen = drawing.pens[stroke.pen];
     if (stroke.pen != last_pen) {
-      add("{} {} {} {}\n", decimal(pen.color[0]), decimal(pen.color[1]), decimal(pen.color[2]), pen.fill ? "rg" : "RG");
-      add("{} w [", decimal(pen.width));
-      for (double d : pen.dash) add("{} ", decimal(d));
-      add("] 0 d\n");
+      out += fmt::format("{} {} {} {}\n", decimal(pen.color[0]), decimal(pen.color[1]), decimal(pen.color[2]),
+                         pen.fill ? "rg" : "RG");
+      out += fmt::format("{} w [", decimal(pen.width));
+      for (double d : pen.dash) out += fmt::format("{} ", decimal(d));
+      out += "] 0 d\n";
       last_pen = stroke.pen;
     }
     const char* command = "m";
     for (const Vec2& p : stroke.points) {
-      add("{} {} {}\n", decimal(p.x()), decimal(p.y()), command);
+      out += fmt::format("{} {} {}\n", decimal(p.x()), decimal(p.y()), command);
       command = "l";
     }
-    add("{}\n", pen.fill ? "f" : stroke.closed ? "s" : "S");
+    out += fmt::format("{}\n", pen.fill ? "f" : stroke.closed ? "s" : "S");
   }
   return out;
 }
