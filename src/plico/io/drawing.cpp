@@ -142,16 +142,17 @@ class Drafter {
       key_text(in_words ? words : text, in_words ? x : x + 8, y, pt);
       x += in_words ? font_.width(words, size) + 4 : 8 + font_.width(text, size) + 4;
     }
-    std::string title = page_title();
-    while (font_.width(title, size) > room && title.size() > 1) {
-      while ((title.back() & 0xC0) == 0x80) title.pop_back();  // the rest of a letter of several bytes
-      title.pop_back();
+    std::string name = options_.title, title = page_title(name);
+    while (!name.empty() && font_.width(title, size) > room) {  // the name gives way, size and page number stay
+      while ((name.back() & 0xC0) == 0x80) name.pop_back();     // the rest of a letter of several bytes
+      name.pop_back();
+      title = page_title(name.empty() ? "" : name + "…");
     }
     key_text(title, title_x, title_y, pt);
   }
 
-  std::string page_title() const {
-    const std::string name = options_.title.empty() ? "" : options_.title + " · ";
+  std::string page_title(const std::string& model) const {
+    const std::string name = model.empty() ? "" : model + " · ";
     const Vec3& s = sheet_.folded_size;
     return fmt::format("{}{:.0f} × {:.0f} × {:.0f} mm · page {} of {}{}", name, s.x(), s.y(), s.z(), number_ + 1,
                        sheet_.pages.size(), sheet_.has_taped_seams ? " · ° tape" : "");

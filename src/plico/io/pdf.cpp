@@ -9,6 +9,7 @@
 #include <cmath>
 #include <memory>
 #include <qpdf/Buffer.hh>
+#include <qpdf/JSON.hh>
 #include <qpdf/QPDF.hh>
 #include <qpdf/QPDFPageDocumentHelper.hh>
 #include <qpdf/QPDFPageObjectHelper.hh>
@@ -136,7 +137,7 @@ class PdfWriter {
   }
 
   // Every layer is one form with its optional content group; the page only calls them, cuts last.
-  void add_page(const Drawing& drawing, QPDFObjectHandle text_form) {
+  void add_page(const Drawing& drawing, const QPDFObjectHandle& text_form) {
     QPDFObjectHandle forms = QPDFObjectHandle::newDictionary();
     std::string content;
     for (Layer layer : kDrawOrder) {
