@@ -10,6 +10,7 @@ std::vector<Command> all_commands() {
       check_command(),
       unfold_command(),
       print_command(),
+      sample_command(),
       verify_command(),
       man_command(),
       completions_command(),

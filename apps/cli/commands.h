@@ -9,6 +9,7 @@ namespace plico::cli {
 Command info_command();
 Command check_command();
 Command unfold_command();
+Command sample_command();
 Command verify_command();
 Command print_command();
 Command man_command();
