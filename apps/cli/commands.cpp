@@ -5,6 +5,7 @@
 namespace plico::cli {
 
 std::vector<Command> all_commands() {
+  // clang-format off
   return {
       info_command(),
       check_command(),
@@ -15,6 +16,7 @@ std::vector<Command> all_commands() {
       man_command(),
       completions_command(),
   };
+  // clang-format on
 }
 
 std::vector<std::pair<std::string, std::string>> program_examples() {
