@@ -9,7 +9,6 @@
 #include <cmath>
 #include <memory>
 #include <qpdf/Buffer.hh>
-#include <qpdf/JSON.hh>
 #include <qpdf/QPDF.hh>
 #include <qpdf/QPDFPageDocumentHelper.hh>
 #include <qpdf/QPDFPageObjectHelper.hh>
@@ -61,28 +60,33 @@ std::string text_pages(const std::vector<Drawing>& pages) {
   return bytes;
 }
 
+template <class... Args>
+void add(std::string& out, fmt::format_string<Args...> format, Args&&... args) {
+  fmt::format_to(std::back_inserter(out), format, std::forward<Args>(args)...);
+}
+
 // The lines of one layer as PDF operators, in millimetres.
 std::string operators(const Drawing& drawing, Layer layer) {
   std::string out;
-  out += fmt::format("{0:.12f} 0 0 {0:.12f} 0 0 cm 1 j\n", kPointsPerMillimetre);
+  add(out, "{0:.12f} 0 0 {0:.12f} 0 0 cm 1 j\n", kPointsPerMillimetre);
   int last_pen = -1;
   for (const Stroke& stroke : drawing.strokes) {
     if (stroke.layer != layer) continue;
     const Pen& pen = drawing.pens[stroke.pen];
     if (stroke.pen != last_pen) {
-      out += fmt::format("{} {} {} {}\n", decimal(pen.color[0]), decimal(pen.color[1]), decimal(pen.color[2]),
-                         pen.fill ? "rg" : "RG");
-      out += fmt::format("{} w [", decimal(pen.width));
-      for (double d : pen.dash) out += fmt::format("{} ", decimal(d));
-      out += "] 0 d\n";
+      add(out, "{} {} {} {}\n", decimal(pen.color[0]), decimal(pen.color[1]), decimal(pen.color[2]),
+          pen.fill ? "rg" : "RG");
+      add(out, "{} w [", decimal(pen.width));
+      for (double d : pen.dash) add(out, "{} ", decimal(d));
+      add(out, "] 0 d\n");
       last_pen = stroke.pen;
     }
     const char* command = "m";
     for (const Vec2& p : stroke.points) {
-      out += fmt::format("{} {} {}\n", decimal(p.x()), decimal(p.y()), command);
+      add(out, "{} {} {}\n", decimal(p.x()), decimal(p.y()), command);
       command = "l";
     }
-    out += fmt::format("{}\n", pen.fill ? "f" : stroke.closed ? "s" : "S");
+    add(out, "{}\n", pen.fill ? "f" : stroke.closed ? "s" : "S");
   }
   return out;
 }
