@@ -1,0 +1,42 @@
+// Still pictures of a linkage, drawn in memory: no display, no graphics card, the same pixels on every machine.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "plico/fold/linkage.h"
+
+namespace plico {
+
+struct Camera {
+  double azimuth = radians(-35);   // around +z, from -y
+  double elevation = radians(28);  // above the sheet's plane
+  double field_of_view = radians(24);
+};
+
+struct PictureOptions {
+  int width = 1200, height = 900;  // pixels, in [16, 8192]
+  Camera camera;
+  bool transparent = false;  // no background and no shadow on the ground
+  // What must fit into the picture, so that stills of one motion share one scale; empty: the configuration itself.
+  std::vector<Configuration> frame;
+};
+
+// Rows of RGBA bytes, top row first.
+struct Picture {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgba;
+};
+
+// Panels seen in perspective: front and back in their own colours, creases and sides as lines, a soft shadow on the
+// ground. Rendered at three times the size with a depth buffer, then averaged. O(pixels + panels).
+Picture render(const Linkage& linkage, const Configuration& config, const PictureOptions& options = {});
+
+// The bytes of a PNG file.
+std::string write_png(const Picture& picture);
+
+inline std::string render_png(const Linkage& linkage, const Configuration& config, const PictureOptions& options = {}) {
+  return write_png(render(linkage, config, options));
+}
+
+}  // namespace plico

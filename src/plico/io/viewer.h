@@ -1,0 +1,40 @@
+// One HTML file that shows a folding sheet: in space and flat side by side, with a slider, offline from disk, without a
+// graphics card. The page composes the rotations itself, from fold angles and the tree; it computes nothing else.
+#pragma once
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "plico/fold/folding_path.h"
+
+namespace plico {
+
+enum class ProofStatus { Unchecked, Proven, Collides, Undecided };
+
+// Two panels that share interior points from time `begin` to time `end`.
+struct ViewerCollision {
+  double begin = 0, end = 0;
+  int panel_a = -1, panel_b = -1;
+};
+
+struct ViewerInput {
+  std::string title = "Plico";
+  std::string unit;  // of lengths; empty for none
+  Linkage linkage;   // its flat panels are the drawing of the net
+
+  std::optional<FoldingPath> path;  // none: straight from flat to folded
+  std::string motion;               // "linear", "uniform", "planned"; empty when nobody said
+  ProofStatus proof = ProofStatus::Unchecked;
+  std::string proof_note;  // one sentence about how it was proven
+  std::vector<ViewerCollision> collisions;
+
+  std::string report;                                      // one JSON object, shown as a table; empty for none
+  std::vector<std::pair<std::string, std::string>> links;  // label and address of files beside the page
+};
+
+// The page, complete; the same input gives the same bytes. Throws InvalidInput when `report` is not a JSON object, or a
+// collision or the path does not fit the linkage. O(panels + waypoints * hinges).
+std::string viewer_page(const ViewerInput& input);
+
+}  // namespace plico

@@ -1,0 +1,150 @@
+// What the page is told (written by src/plico/io/viewer.cpp) and the folding map over it.
+
+export interface PageData {
+  title: string;
+  unit: string;
+  thickness: number;
+  panels: number[][]; // outline of each panel: x0, y0, x1, y1, ...; flat, front up
+  triangles: number[][]; // corners of each panel, three a triangle
+  hinges: Hinge[];
+  order: number[];
+  parentPanel: number[];
+  parentHinge: number[];
+  seams: [number, number, number, number][]; // panel, side, panel, side
+  keys: { times: number[]; angles: number[] }[]; // of each hinge, radians; linear in between
+  motion: string;
+  proof: { status: 'proven' | 'collides' | 'undecided' | 'unchecked'; note: string };
+  collisions: { begin: number; end: number; panels: [number, number] }[];
+  report: Record<string, unknown> | null;
+  links: { label: string; href: string }[];
+}
+
+export interface Hinge {
+  left: number;
+  right: number;
+  from: [number, number, number];
+  to: [number, number, number];
+  target: number;
+}
+
+export type Kind = 'mountain' | 'valley' | 'flat';
+export const kindOf = (angle: number): Kind => (angle > 1e-9 ? 'valley' : angle < -1e-9 ? 'mountain' : 'flat');
+export const degrees = (angle: number): number => (angle * 180) / Math.PI;
+
+// A rigid motion: nine entries of the rotation row by row, then the translation.
+export type Pose = Float64Array;
+const identity = (): Pose => Float64Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0);
+
+export function apply(m: Pose, x: number, y: number, z: number): [number, number, number] {
+  return [
+    m[0]! * x + m[1]! * y + m[2]! * z + m[9]!,
+    m[3]! * x + m[4]! * y + m[5]! * z + m[10]!,
+    m[6]! * x + m[7]! * y + m[8]! * z + m[11]!,
+  ];
+}
+
+function compose(a: Pose, b: Pose): Pose {
+  const c = new Float64Array(12);
+  for (let i = 0; i < 3; i++) {
+    for (let j = 0; j < 3; j++) {
+      c[3 * i + j] = a[3 * i]! * b[j]! + a[3 * i + 1]! * b[3 + j]! + a[3 * i + 2]! * b[6 + j]!;
+    }
+  }
+  const t = apply(a, b[9]!, b[10]!, b[11]!);
+  c.set(t, 9);
+  return c;
+}
+
+// Right-handed about the line through `from` and `to` (Rodrigues).
+function rotationAbout(from: readonly number[], to: readonly number[], angle: number): Pose {
+  const d = [to[0]! - from[0]!, to[1]! - from[1]!, to[2]! - from[2]!];
+  const length = Math.hypot(d[0]!, d[1]!, d[2]!);
+  const [x, y, z] = [d[0]! / length, d[1]! / length, d[2]! / length];
+  const s = Math.sin(angle);
+  const c = Math.cos(angle);
+  const k = 1 - c;
+  const m = Float64Array.of(
+    c + x * x * k, x * y * k - z * s, x * z * k + y * s,
+    y * x * k + z * s, c + y * y * k, y * z * k - x * s,
+    z * x * k - y * s, z * y * k + x * s, c + z * z * k,
+    0, 0, 0);
+  const t = apply(m, from[0]!, from[1]!, from[2]!);
+  m.set([from[0]! - t[0], from[1]! - t[1], from[2]! - t[2]], 9);
+  return m;
+}
+
+export function angleAt(keys: { times: number[]; angles: number[] }, time: number): number {
+  const { times, angles } = keys;
+  if (time <= times[0]!) return angles[0]!;
+  let low = 0;
+  let high = times.length - 1;
+  if (time >= times[high]!) return angles[high]!;
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (times[middle]! <= time) low = middle;
+    else high = middle;
+  }
+  const s = (time - times[low]!) / (times[high]! - times[low]!);
+  return (1 - s) * angles[low]! + s * angles[high]!;
+}
+
+export class Model {
+  readonly hingesOf: number[][]; // of each panel
+  constructor(readonly data: PageData) {
+    this.hingesOf = data.panels.map(() => []);
+    data.hinges.forEach((hinge, h) => {
+      this.hingesOf[hinge.left]!.push(h);
+      this.hingesOf[hinge.right]!.push(h);
+    });
+  }
+
+  // Where each panel is at a time in [0, 1]: the same walk along the tree as the library's folding_map.
+  poses(time: number): Pose[] {
+    const { order, parentPanel, parentHinge, hinges, keys } = this.data;
+    const poses: Pose[] = new Array(order.length);
+    for (const p of order) {
+      const h = parentHinge[p]!;
+      if (h < 0) {
+        poses[p] = identity();
+        continue;
+      }
+      const hinge = hinges[h]!;
+      const angle = angleAt(keys[h]!, time);
+      const turn = rotationAbout(hinge.from, hinge.to, p === hinge.right ? -angle : angle);
+      poses[p] = compose(poses[parentPanel[p]!]!, turn);
+    }
+    return poses;
+  }
+
+  // Corners of all panels at a time, panel by panel: x, y, z, ...
+  positions(time: number): number[][] {
+    const poses = this.poses(time);
+    return this.data.panels.map((outline, p) => {
+      const points: number[] = [];
+      for (let i = 0; i < outline.length; i += 2) points.push(...apply(poses[p]!, outline[i]!, outline[i + 1]!, 0));
+      return points;
+    });
+  }
+
+  colliding(time: number): Set<number> {
+    const panels = new Set<number>();
+    for (const c of this.data.collisions) if (c.begin <= time && time <= c.end) c.panels.forEach((p) => panels.add(p));
+    return panels;
+  }
+
+  // The median length of a side: how fine the sheet is.
+  typicalSide(): number {
+    const sides: number[] = [];
+    for (const outline of this.data.panels) {
+      const n = outline.length;
+      for (let i = 0; i < n; i += 2) {
+        sides.push(Math.hypot(outline[(i + 2) % n]! - outline[i]!, outline[(i + 3) % n]! - outline[i + 1]!));
+      }
+    }
+    return sides.sort((a, b) => a - b)[sides.length >> 1]!;
+  }
+
+  gluedTo(panel: number): number[] {
+    return this.data.seams.flatMap(([a, , b]) => (a === panel ? [b] : b === panel ? [a] : []));
+  }
+}
