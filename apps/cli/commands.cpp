@@ -10,6 +10,7 @@ std::vector<Command> all_commands() {
       info_command(),
       check_command(),
       unfold_command(),
+      export_command(),
       print_command(),
       sample_command(),
       verify_command(),

@@ -10,6 +10,7 @@ Command info_command();
 Command check_command();
 Command unfold_command();
 Command sample_command();
+Command export_command();
 Command verify_command();
 Command print_command();
 Command man_command();

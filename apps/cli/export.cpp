@@ -1,0 +1,148 @@
+// plico export: a net or a motion as animation, robot model, table, page or picture.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "commands.h"
+#include "plico/base/error.h"
+#include "plico/io/csv.h"
+#include "plico/io/file.h"
+#include "plico/io/fold.h"
+#include "plico/io/gltf.h"
+#include "plico/io/mjcf.h"
+#include "plico/io/png.h"
+#include "plico/io/urdf.h"
+#include "plico/io/viewer.h"
+#include "session.h"
+
+namespace plico::cli {
+namespace {
+
+struct ExportArgs {
+  std::string file, title;
+  double at = 1, seconds = 4, grams_per_square_metre = 160, sheet_thickness_mm = 0.2;
+  double azimuth = radians(-35), elevation = radians(28);
+  int width = 1200, height = 900;
+  bool transparent = false;
+};
+
+// What every format is written from.
+struct Motion {
+  FoldFile file;
+  Linkage linkage;
+  FoldingPath path;
+  std::string title;
+};
+
+std::string name_of(const std::string& path) {
+  return path == "-" ? "sheet" : std::filesystem::path(path).stem().string();
+}
+
+Motion read_motion(const ExportArgs& args, Session& session) {
+  Motion motion{read_fold(session.read(args.file), args.file), {}, {}, args.title};
+  motion.linkage = make_linkage(motion.file.net.sheet, motion.file.net.mate);
+  motion.path = motion.file.path ? *motion.file.path : linear_path(motion.linkage);
+  if (motion.title.empty()) motion.title = name_of(args.file);
+  return motion;
+}
+
+RobotOptions robot_options(const Motion& motion, const ExportArgs& args) {
+  RobotOptions options;
+  options.name.clear();
+  for (unsigned char c : motion.title) options.name += std::isalnum(c) || c == '-' ? static_cast<char>(c) : '_';
+  options.grams_per_square_metre = args.grams_per_square_metre;
+  options.sheet_thickness_mm = args.sheet_thickness_mm;
+  options.seconds = args.seconds;
+  return options;
+}
+
+std::string robot_file(const RobotFile& file, Session& session) {
+  for (const std::string& warning : file.warnings) {
+    session.warn(warning);
+    session.report()["warnings"].push_back(warning);
+  }
+  return file.text;
+}
+
+std::string picture(const Motion& motion, const ExportArgs& args) {
+  PictureOptions options;
+  options.width = args.width;
+  options.height = args.height;
+  options.transparent = args.transparent;
+  options.camera.azimuth = args.azimuth;
+  options.camera.elevation = args.elevation;
+  return render_png(motion.linkage, motion.path.at(args.at), options);
+}
+
+std::string page(const Motion& motion) {
+  ViewerInput input;
+  input.title = motion.title;
+  input.unit = motion.file.unit == "unit" ? "" : motion.file.unit;
+  input.linkage = motion.linkage;
+  input.path = motion.path;
+  input.motion = motion.file.path ? "" : "linear";
+  input.report = motion.file.report;
+  return viewer_page(input);
+}
+
+std::string bytes_for(const std::string& path, const Motion& motion, const ExportArgs& args, Session& session) {
+  const std::string kind = extension(path);
+  if (kind == "glb") return write_glb(motion.linkage, motion.path, {.seconds = args.seconds});
+  if (kind == "urdf") return robot_file(write_urdf(motion.linkage, motion.path, robot_options(motion, args)), session);
+  if (kind == "xml" || kind == "mjcf")
+    return robot_file(write_mjcf(motion.linkage, motion.path, robot_options(motion, args)), session);
+  if (kind == "csv") return write_trajectory_csv(motion.path);
+  if (kind == "png") return picture(motion, args);
+  if (kind == "html" || kind == "htm") return page(motion);
+  throw InvalidOption(
+      fmt::format("cannot tell what to write from '{}'; the extensions are glb, urdf, xml, csv, png, html", path));
+}
+
+int export_file(const ExportArgs& args, Session& session) {
+  if (!(args.at >= 0 && args.at <= 1)) throw InvalidOption(fmt::format("at = {} must be in [0, 1]", args.at));
+  const std::string default_path = args.file == "-" ? "sheet.html" : name_of(args.file) + ".html";
+  const std::vector<std::string> outputs = session.outputs(default_path);
+  const Motion motion = read_motion(args, session);
+  nlohmann::json& report = session.report();
+  report["panels"] = motion.linkage.num_panels();
+  report["hinges"] = motion.linkage.num_hinges();
+  report["loop_hinges"] = motion.linkage.loop_hinges.size();
+  report["chain_depth"] = chain_depth(motion.linkage);
+  report["waypoints"] = motion.path.waypoints.size();
+  report["has_motion"] = motion.file.path.has_value();
+  if (!motion.file.path) session.say("the file holds no motion: shown as if all creases moved at one rate, unproven");
+  std::vector<std::string> contents;
+  for (const std::string& path : outputs) contents.push_back(bytes_for(path, motion, args, session));
+  for (std::size_t i = 0; i < outputs.size(); ++i) session.write(outputs[i], contents[i]);
+  return kDone;
+}
+
+}  // namespace
+
+Command export_command() {
+  const auto args = std::make_shared<ExportArgs>();
+  return Command("export", "Write a net or a motion as animation, robot model, table, page or picture")
+      .example("plico export bird.fold -o bird.html", "a page with the folding net, opens offline")
+      .example("plico export bird.fold -o bird.glb -o bird.png --at 0.5", "an animation, and a picture half way")
+      .example("plico export bird.fold -o bird.urdf -o bird.xml -o bird.csv", "ROS, MuJoCo, and the angles as a table")
+      .positional("file", "FOLD file with a net, a crease pattern or a motion", args->file)
+      .option("--title", "TEXT", "name shown on the page and given to the robot; the file's name by default",
+              args->title)
+      .option("--at", "TIME", "moment of a picture: 0 flat, 1 folded", args->at)
+      .option("--picture-width", "PIXELS", "of a picture, in [16, 8192]", args->width)
+      .option("--picture-height", "PIXELS", "of a picture, in [16, 8192]", args->height)
+      .angle("--azimuth", "camera of a picture, around the sheet", args->azimuth)
+      .angle("--elevation", "camera of a picture, above the sheet's plane", args->elevation)
+      .flag("--transparent", "a picture without background and shadow", args->transparent)
+      .option("--seconds", "SECONDS", "how long an animation or a trajectory lasts", args->seconds)
+      .option("--grammage", "G_PER_M2", "mass of the sheet in a robot model", args->grams_per_square_metre)
+      .option("--sheet-thickness", "MM", "thickness of panels in a robot model when the linkage has none",
+              args->sheet_thickness_mm)
+      .action([args](Session& session) { return export_file(*args, session); });
+}
+
+}  // namespace plico::cli
