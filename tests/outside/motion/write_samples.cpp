@@ -1,0 +1,126 @@
+// usage: write_samples FOLDER
+// Ten linkages of every kind, each as page, animation and robot models, with where the library says their panels are.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "linkage_samples.h"
+#include "plico/io/file.h"
+#include "plico/io/gltf.h"
+#include "plico/io/mjcf.h"
+#include "plico/io/urdf.h"
+#include "plico/io/viewer.h"
+
+namespace plico {
+namespace {
+
+struct Sample {
+  std::string name;
+  Linkage linkage;
+  FoldingPath path;
+};
+
+Sample linear(const std::string& name, const CreasePattern& sheet) {
+  const Linkage linkage = make_linkage(sheet);
+  return {name, linkage, linear_path(linkage)};
+}
+Sample uniform(const std::string& name, const CreasePattern& sheet) {
+  const Linkage linkage = make_linkage(sheet);
+  return {name, linkage, uniform_path(linkage)};
+}
+
+// Squares in a grid that bend along all lines x = 1, 2, ...: every inner corner is a loop, and all of them close.
+CreasePattern curtain(int columns, int rows, double turn) {
+  CreasePattern sheet;
+  const auto vertex = [&](int x, int y) { return y * (columns + 1) + x; };
+  for (int y = 0; y <= rows; ++y)
+    for (int x = 0; x <= columns; ++x) sheet.vertices.emplace_back(x, y);
+  for (int y = 0; y < rows; ++y) {
+    for (int x = 0; x < columns; ++x) {
+      sheet.faces.push_back({vertex(x, y), vertex(x + 1, y), vertex(x + 1, y + 1), vertex(x, y + 1)});
+      const double angle = x % 2 ? turn : -turn;
+      if (x > 0) sheet.edges.push_back({vertex(x, y), vertex(x, y + 1), assignment_of(angle), angle});
+      if (y > 0) sheet.edges.push_back({vertex(x, y), vertex(x + 1, y), Assignment::Flat, 0});
+    }
+  }
+  return sheet;
+}
+
+Sample thick(Sample sample, double thickness) {
+  sample.linkage.thickness = thickness;
+  return sample;
+}
+
+std::vector<Sample> samples() {
+  Rng rng(7);
+  std::vector<Sample> list;
+  list.push_back(linear("single", square_strip({})));
+  list.push_back(linear("pair", square_strip({1})));
+  list.push_back(linear("closing", square_strip({kPi, -kPi})));
+  list.push_back(uniform("strip", square_strip({0.3, -0.6, 0.9, -0.1})));
+  list.push_back(thick(linear("plates", square_strip({1, -1, 1})), 0.1));
+  list.push_back(linear("loops", curtain(4, 3, 0.8)));
+  list.push_back(uniform("snow", random_triangles(24, 0.4, rng)));
+  list.push_back(linear("leaf", random_triangles(60, 0.3, rng)));
+  list.push_back(uniform("sheet", random_triangles(200, 0.2, rng)));
+  Sample back_and_forth = linear("planned", square_strip({0.5, 0.5}));
+  back_and_forth.path = path_through({{0, {0, 0}}, {0.4, {1, 0}}, {0.7, {1, 0.5}}, {1, {0.5, 0.5}}});
+  list.push_back(back_and_forth);
+  return list;
+}
+
+std::string positions(const Sample& sample) {
+  nlohmann::json moments;
+  double size = 0;
+  for (double time : {0.0, 0.5, 1.0}) {
+    const std::vector<Pose> poses = folding_map(sample.linkage, sample.path.at(time));
+    nlohmann::json panels;
+    for (int p = 0; p < sample.linkage.num_panels(); ++p) {
+      nlohmann::json points;
+      for (const Vec3& corner : sample.linkage.panels[p])
+        for (double x : Vec3(poses[p] * corner)) {
+          points.push_back(x);
+          size = std::max(size, std::abs(x));
+        }
+      panels.push_back(points);
+    }
+    moments.push_back({{"time", time}, {"panels", panels}});
+  }
+  return nlohmann::json{{"moments", moments}, {"size", size}}.dump();
+}
+
+std::string page(const Sample& sample) {
+  ViewerInput input;
+  input.title = sample.name;
+  input.linkage = sample.linkage;
+  input.path = sample.path;
+  input.report = R"({"panels": 3, "proof": {"status": "free"}})";
+  return viewer_page(input);
+}
+
+void write_samples(const std::string& folder) {
+  nlohmann::json list;
+  for (const Sample& sample : samples()) {
+    const std::string base = folder + "/" + sample.name;
+    RobotOptions robot;
+    robot.name = sample.name;
+    robot.metres_per_unit = 0.05;
+    write_file(base + ".html", page(sample), true);
+    write_file(base + ".json", positions(sample), true);
+    write_file(base + ".glb", write_glb(sample.linkage, sample.path), true);
+    write_file(base + ".urdf", write_urdf(sample.linkage, sample.path, robot).text, true);
+    write_file(base + ".xml", write_mjcf(sample.linkage, sample.path, robot).text, true);
+    const int joints = sample.linkage.num_hinges() - static_cast<int>(sample.linkage.loop_hinges.size());
+    const int surfaces = sample.linkage.num_panels() * (sample.linkage.thickness > 0 ? 3 : 2);
+    list.push_back({{"name", sample.name}, {"joints", joints}, {"surfaces", surfaces}});
+  }
+  write_file(folder + "/samples.json", list.dump(), true);
+}
+
+}  // namespace
+}  // namespace plico
+
+int main(int argc, char** argv) {
+  if (argc != 2) return 2;
+  plico::write_samples(argv[1]);
+}
