@@ -1,6 +1,7 @@
 #include "plico/io/mjcf.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
@@ -18,10 +19,16 @@ class Corners {
  public:
   explicit Corners(const Linkage& linkage) {
     std::map<std::tuple<double, double, double>, int> known;
+    double size = 0;
+    for (const auto& panel : linkage.panels)
+      for (const Vec3& p : panel) size = std::max(size, p.cwiseAbs().maxCoeff());
+    const double grid = std::max(size, 1e-300) * 1e-8;  // corners laid flat along two ways differ by rounding
     for (const auto& panel : linkage.panels) {
       std::vector<int>& ids = corner_.emplace_back();
-      for (const Vec3& p : panel)
-        ids.push_back(known.try_emplace({p.x(), p.y(), p.z()}, static_cast<int>(known.size())).first->second);
+      for (const Vec3& p : panel) {
+        const auto cell = [&](int axis) { return std::round(p[axis] / grid); };
+        ids.push_back(known.try_emplace({cell(0), cell(1), cell(2)}, static_cast<int>(known.size())).first->second);
+      }
     }
     leader_.resize(known.size());
     std::iota(leader_.begin(), leader_.end(), 0);
