@@ -1,0 +1,250 @@
+#include "plico/motion/branch_sampler.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "plico/base/error.h"
+#include "plico/motion/penetration.h"
+#include "plico/motion/plates.h"
+
+namespace plico {
+namespace {
+
+Pose turn_about_x(double angle) { return Pose(Eigen::AngleAxisd(angle, Vec3::UnitX())); }
+
+// Box of some corners, rounded outward.
+struct FloatBox {
+  float low[3], high[3];
+  FloatBox(const Vec3* corners, int count) {
+    for (int k = 0; k < 3; ++k) {
+      double least = corners[0][k], most = least;
+      for (int i = 1; i < count; ++i) {
+        least = std::min(least, corners[i][k]);
+        most = std::max(most, corners[i][k]);
+      }
+      low[k] = std::nextafter(static_cast<float>(least), -std::numeric_limits<float>::infinity());
+      high[k] = std::nextafter(static_cast<float>(most), std::numeric_limits<float>::infinity());
+    }
+  }
+};
+
+}  // namespace
+
+BranchSampler::BranchSampler(const PanelKit& kit, FoldingLaw law, double clearance, double touch)
+    : kit_(kit), law_(law), touch_(touch), mark_(kit.outlines.size(), 0) {
+  make_plates(clearance);
+  for (double angle : kit.fold_angle) steepest_ = std::max(steepest_, std::abs(angle));
+  for (int p = 0; p < kit.num_panels(); ++p) {
+    const std::vector<Vec2>& outline = kit.outlines[p];
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const Vec2 from = outline[i], along = (outline[(i + 1) % outline.size()] - from).normalized();
+      Pose frame = Pose::Identity();
+      frame.linear() << along.x(), -along.y(), 0, along.y(), along.x(), 0, 0, 0, 1;
+      frame.translation() << from, 0;
+      side_frame_.push_back(frame);
+      side_panel_.push_back(p);
+    }
+  }
+}
+
+void BranchSampler::make_plates(double clearance) {
+  Linkage linkage;
+  for (const std::vector<Vec2>& outline : kit_.outlines) {
+    std::vector<Vec3>& panel = linkage.panels.emplace_back();
+    for (const Vec2& corner : outline) panel.emplace_back(corner.x(), corner.y(), 0);
+  }
+  const Plates plates = plico::make_plates(linkage, clearance);
+  shape_ = plates.corners;
+  first_plate_ = plates.first_of_panel;
+  for (int i = 0; i < plates.size(); ++i)
+    plates_.push_back({plates.panel[i], plates.first[i], plates.first[i + 1] - plates.first[i]});
+}
+
+double BranchSampler::angle_at(int side, double time) const {
+  const double target = kit_.fold_angle[side];
+  if (law_ == FoldingLaw::Linear) return time * target;
+  return std::clamp(target, -time * steepest_, time * steepest_);
+}
+
+// The panel over a side lies right of it; raising it to the front (a valley) is a left-handed turn about the side. Its
+// own side runs the other way, so its frame is turned by half a turn and begins at the other end.
+Pose BranchSampler::across(int side, double time) const {
+  const int twin = kit_.twin[side];
+  const std::vector<Vec2>& outline = kit_.outlines[side_panel_[side]];
+  const int i = side - kit_.first_side[side_panel_[side]];
+  const double length = (outline[(i + 1) % outline.size()] - outline[i]).norm();
+  Pose turned = Pose::Identity();
+  turned.linear().diagonal() << -1, -1, 1;
+  turned.translation() << length, 0, 0;
+  return side_frame_[side] * turn_about_x(-angle_at(side, time)) * turned * side_frame_[twin].inverse();
+}
+
+void BranchSampler::place_plate(Sample& sample, int plate) const {
+  const auto& [panel, first, count] = plates_[plate];
+  for (int c = first; c < first + count; ++c) sample.corners[c] = sample.pose[panel] * shape_[c];
+  const FloatBox box(&sample.corners[first], count);
+  for (int k = 0; k < 3; ++k) sample.bounds[k][plate] = box.low[k], sample.bounds[k + 3][plate] = box.high[k];
+}
+
+void BranchSampler::place_all(Sample& sample) const {
+  const int n = kit_.num_panels();
+  sample.pose.assign(n, Pose::Identity());
+  sample.corners.resize(shape_.size());
+  for (auto& bound : sample.bounds) bound.resize(plates_.size());
+  std::vector<int> queue{0};
+  std::vector<char> placed(n, 0);
+  placed[0] = 1;
+  for (std::size_t at = 0; at < queue.size(); ++at) {
+    const int p = queue[at];
+    for (int side = kit_.first_side[p]; side < kit_.first_side[p + 1]; ++side) {
+      if (!is_joined_[side] || placed[side_panel_[kit_.twin[side]]]) continue;
+      const int q = side_panel_[kit_.twin[side]];
+      sample.pose[q] = sample.pose[p] * across(side, sample.time);
+      placed[q] = 1;
+      queue.push_back(q);
+    }
+  }
+  PLICO_ASSERT(static_cast<int>(queue.size()) == n);
+  for (int i = 0; i < static_cast<int>(plates_.size()); ++i) place_plate(sample, i);
+}
+
+void BranchSampler::reset(const std::vector<char>& is_joined) {
+  is_joined_ = is_joined;
+  for (std::size_t side = 0; side < is_joined.size(); ++side)
+    if (is_joined[side]) is_joined_[kit_.twin[side]] = 1;
+  conflicts_.clear();
+  for (int k = 0; k < num_samples(); ++k) {
+    place_all(samples_[k]);
+    find_conflicts(k);
+  }
+}
+
+void BranchSampler::add_sample(double time) {
+  samples_.push_back({time, {}, {}, {}});
+  sample_order_.push_back(num_samples() - 1);
+  if (is_joined_.empty()) return;
+  place_all(samples_.back());
+  find_conflicts(num_samples() - 1);
+}
+
+bool BranchSampler::penetrating(const Sample& sample, int plate, const Vec3* corners, const Vec3& normal,
+                                int other) const {
+  const Plate& a = plates_[plate];
+  const Plate& b = plates_[other];
+  return penetrate({corners, a.count, normal},
+                   {&sample.corners[b.first], b.count, sample.pose[b.panel].linear().col(2)}, touch_);
+}
+
+void BranchSampler::find_conflicts(int k) {
+  const Sample& sample = samples_[k];
+  const auto joined = [&](int a, int b) {
+    for (int side = kit_.first_side[a]; side < kit_.first_side[a + 1]; ++side)
+      if (is_joined_[side] && side_panel_[kit_.twin[side]] == b) return true;
+    return false;
+  };
+  std::vector<int> order(plates_.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
+  const auto& bound = sample.bounds;
+  std::sort(order.begin(), order.end(), [&](int a, int b) { return bound[0][a] < bound[0][b]; });
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const int a = order[i];
+    for (std::size_t j = i + 1; j < order.size() && bound[0][order[j]] <= bound[3][a]; ++j) {
+      const int b = order[j], panel_a = plates_[a].panel, panel_b = plates_[b].panel;
+      if (bound[1][b] > bound[4][a] || bound[1][a] > bound[4][b] || bound[2][b] > bound[5][a] ||
+          bound[2][a] > bound[5][b] || panel_a == panel_b || joined(panel_a, panel_b))
+        continue;
+      if (penetrating(sample, a, &sample.corners[plates_[a].first], sample.pose[panel_a].linear().col(2), b))
+        conflicts_.push_back({k, panel_a, panel_b});
+    }
+  }
+}
+
+void BranchSampler::mark(std::span<const int> branch) {
+  ++stamp_;
+  for (int panel : branch) mark_[panel] = stamp_;
+}
+
+long BranchSampler::conflicts_across(std::span<const int> branch) {
+  mark(branch);
+  return std::count_if(conflicts_.begin(), conflicts_.end(),
+                       [&](const Conflict& c) { return (mark_[c.panel_a] == stamp_) != (mark_[c.panel_b] == stamp_); });
+}
+
+// What a branch goes through when it is hung by `side`.
+Pose BranchSampler::moved_by(const Sample& sample, int side) const {
+  const int twin = kit_.twin[side];
+  return sample.pose[side_panel_[twin]] * across(twin, sample.time) * sample.pose[side_panel_[side]].inverse();
+}
+
+// Calls found(panel of the branch, panel of the rest) for colliding pairs until it returns true. The branch is marked.
+template <class Found>
+bool BranchSampler::meet(const Sample& sample, std::span<const int> branch, int side, Found found) {
+  const Pose motion = moved_by(sample, side);
+  const int hinge_in = side_panel_[side], hinge_out = side_panel_[kit_.twin[side]];
+  moved_.clear();
+  for (int panel : branch)
+    for (int i = first_plate_[panel]; i < first_plate_[panel + 1]; ++i)
+      for (int c = 0; c < plates_[i].count; ++c) moved_.push_back(motion * sample.corners[plates_[i].first + c]);
+  const FloatBox all(moved_.data(), static_cast<int>(moved_.size()));
+  near_.clear();
+  const auto& bound = sample.bounds;
+  for (int i = 0; i < static_cast<int>(plates_.size()); ++i) {
+    const bool close = (bound[0][i] <= all.high[0]) & (all.low[0] <= bound[3][i]) & (bound[1][i] <= all.high[1]) &
+                       (all.low[1] <= bound[4][i]) & (bound[2][i] <= all.high[2]) & (all.low[2] <= bound[5][i]);
+    if (close && mark_[plates_[i].panel] != stamp_) near_.push_back(i);
+  }
+  const Vec3* corners = moved_.data();
+  for (int panel : branch) {
+    for (int i = first_plate_[panel]; i < first_plate_[panel + 1]; corners += plates_[i].count, ++i) {
+      const FloatBox box(corners, plates_[i].count);
+      const Vec3 normal = motion.linear() * sample.pose[panel].linear().col(2);
+      for (int other : near_) {
+        const bool close = (bound[0][other] <= box.high[0]) & (box.low[0] <= bound[3][other]) &
+                           (bound[1][other] <= box.high[1]) & (box.low[1] <= bound[4][other]) &
+                           (bound[2][other] <= box.high[2]) & (box.low[2] <= bound[5][other]);
+        if (!close) continue;
+        const int other_panel = plates_[other].panel;
+        if (panel == hinge_in && other_panel == hinge_out) continue;
+        if (penetrating(sample, i, corners, normal, other) && found(panel, other_panel)) return true;
+      }
+    }
+  }
+  return false;
+}
+
+long BranchSampler::conflicts_if_hung(std::span<const int> branch, int side, long limit) {
+  mark(branch);
+  long count = 0;
+  for (std::size_t at = 0; at < sample_order_.size(); ++at) {
+    if (!meet(samples_[sample_order_[at]], branch, side, [&](int, int) { return ++count > limit; })) continue;
+    if (at > 0) std::swap(sample_order_[at], sample_order_[at / 2]);
+    break;
+  }
+  return count;
+}
+
+void BranchSampler::hang(std::span<const int> branch, int side) {
+  mark(branch);
+  const auto inside = [&](int panel) { return mark_[panel] == stamp_; };
+  std::erase_if(conflicts_, [&](const Conflict& c) { return inside(c.panel_a) != inside(c.panel_b); });
+  for (int panel : branch) {
+    for (int s = kit_.first_side[panel]; s < kit_.first_side[panel + 1]; ++s)
+      if (is_joined_[s] && !inside(side_panel_[kit_.twin[s]])) is_joined_[s] = is_joined_[kit_.twin[s]] = 0;
+  }
+  is_joined_[side] = is_joined_[kit_.twin[side]] = 1;
+  for (int k = 0; k < num_samples(); ++k) {
+    Sample& sample = samples_[k];
+    meet(sample, branch, side, [&](int a, int b) {
+      conflicts_.push_back({k, a, b});
+      return false;
+    });
+    const Pose motion = moved_by(sample, side);
+    for (int panel : branch) {
+      sample.pose[panel] = motion * sample.pose[panel];
+      for (int i = first_plate_[panel]; i < first_plate_[panel + 1]; ++i) place_plate(sample, i);
+    }
+  }
+}
+
+}  // namespace plico

@@ -1,0 +1,89 @@
+// Panels hung together as a tree, frozen at sample times of their common motion from flat to folded, with the
+// collisions at every sample kept up to date while branches are cut off and hung elsewhere. A branch moves as one rigid
+// piece, so only pairs between it and the rest are looked at. The working state of a search for nets that fold.
+#pragma once
+#include <array>
+#include <span>
+#include <vector>
+
+#include "plico/base/vec.h"
+
+namespace plico {
+
+// Panels and the pairs of their sides that may be joined.
+struct PanelKit {
+  std::vector<std::vector<Vec2>> outlines;  // of each panel in its own plane, counter-clockwise seen from the front
+  std::vector<int> first_side = {0};        // panels + 1; side first_side[p] + i runs from corner i to corner i + 1
+  std::vector<int> twin;                    // of each side, -1 where nothing can be joined
+  std::vector<double> fold_angle;           // of each side when folded, radians, valley > 0
+  int num_panels() const { return static_cast<int>(outlines.size()); }
+};
+
+// How fold angles follow time: all arrive together, or all turn at one rate and stop.
+enum class FoldingLaw { Linear, Uniform };
+
+class BranchSampler {
+ public:
+  // `clearance` and `touch` as in motion/collision.h.
+  BranchSampler(const PanelKit& kit, FoldingLaw law, double clearance, double touch);
+
+  // Joins the panels as told (one joined side of each pair is enough; they must make one tree) and looks at all pairs.
+  void reset(const std::vector<char>& is_joined);
+  // One more moment, in (0, 1], at which collisions count. O(panels log panels), as reset() for one sample.
+  void add_sample(double time);
+  int num_samples() const { return static_cast<int>(samples_.size()); }
+
+  struct Conflict {
+    int sample, panel_a, panel_b;
+  };
+  const std::vector<Conflict>& conflicts() const { return conflicts_; }
+
+  // Conflicts between `branch` and the rest: now, and if the branch hung by its side `side` (the twin's panel is not in
+  // the branch). Stops counting above `limit`.
+  long conflicts_across(std::span<const int> branch);
+  long conflicts_if_hung(std::span<const int> branch, int side, long limit);
+  // Cuts the branch (a connected piece, as is the rest) off and hangs it by `side`.
+  void hang(std::span<const int> branch, int side);
+
+ private:
+  struct Sample {
+    double time;
+    std::vector<Pose> pose;                    // of each panel
+    std::vector<Vec3> corners;                 // of all plates
+    std::array<std::vector<float>, 6> bounds;  // of each plate's box: low x y z, high x y z, rounded outward
+  };
+  struct Plate {
+    int panel, first, count;
+  };
+
+  void make_plates(double clearance);
+  double angle_at(int side, double time) const;
+  Pose across(int side, double time) const;  // of the panel over `side`, seen from the panel that has it
+  void place_all(Sample& sample) const;
+  void place_plate(Sample& sample, int plate) const;
+  void find_conflicts(int sample);
+  void mark(std::span<const int> branch);
+  Pose moved_by(const Sample& sample, int side) const;
+  template <class Found>
+  bool meet(const Sample& sample, std::span<const int> branch, int side, Found found);
+  bool penetrating(const Sample& sample, int plate, const Vec3* corners, const Vec3& normal, int other) const;
+
+  const PanelKit& kit_;
+  FoldingLaw law_;
+  double touch_, steepest_ = 0;
+  std::vector<Vec3> shape_;  // corners of all plates in their panels' planes
+  std::vector<Plate> plates_;
+  std::vector<int> first_plate_;  // panels + 1
+  std::vector<Pose> side_frame_;  // of each side in its panel: origin at its start, x along it
+  std::vector<int> side_panel_;
+  std::vector<char> is_joined_;  // by side, both sides of a pair
+  std::vector<Sample> samples_;
+  std::vector<int> sample_order_;  // those that refuted a hanging lately come first
+  std::vector<Conflict> conflicts_;
+  std::vector<int> mark_;
+  int stamp_ = 0;
+  std::vector<Vec3> moved_;  // corners of the branch where it would hang
+  std::vector<int> near_;    // plates of the rest close to the branch
+};
+
+}  // namespace plico

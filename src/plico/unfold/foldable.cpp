@@ -1,0 +1,203 @@
+#include "plico/unfold/foldable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "plico/base/error.h"
+#include "plico/base/rng.h"
+#include "plico/unfold/dual_tree.h"
+
+namespace plico {
+namespace {
+
+constexpr long kStepsPerRound = 4000;  // between two looks of the lanes at each other
+
+// One annealing search from one start.
+class Lane {
+ public:
+  Lane(const FlatFaces& faces, FoldForest start, std::unique_ptr<MotionCost> cost, const FoldableOptions& options,
+       Rng rng)
+      : mesh_(faces.mesh()), tree_(faces, start), motion_(std::move(cost)), options_(options), rng_(rng) {
+    motion_->reset(start);
+    keep_best();
+  }
+
+  void go(const Run& run) {
+    for (long end = steps_ + kStepsPerRound; steps_ < end && !found_ && !run.over();) {
+      if (energy() == 0) {
+        look_closer(run);
+        continue;
+      }
+      ++steps_;
+      step();
+    }
+    tree_.balance();
+    if (!found_) refresh();
+  }
+
+  bool found() const { return found_; }
+  long steps() const { return steps_; }
+  long best_energy() const { return best_energy_; }
+  FoldableResult result() const { return {Ending::Exhausted, best_, best_overlaps_, best_collisions_, steps_}; }
+
+ private:
+  long energy() const { return options_.overlap_weight * static_cast<long>(tree_.num_overlaps()) + motion_->cost(); }
+
+  // The motion's poses gather rounding errors from hanging to hanging.
+  void refresh() { motion_->reset(tree_.forest()); }
+
+  void keep_best() {
+    if (energy() >= best_energy_) return;
+    best_energy_ = energy();
+    best_ = tree_.forest();
+    best_overlaps_ = tree_.num_overlaps();
+    best_collisions_ = motion_->cost();
+  }
+
+  void look_closer(const Run& run) {
+    refresh();
+    if (energy() > 0) return;
+    const MotionCost::Closer closer = motion_->look_closer(tree_.forest(), run);
+    if (closer == MotionCost::Closer::Free) {
+      best_ = tree_.forest();
+      best_overlaps_ = best_collisions_ = 0;
+      found_ = true;
+      return;
+    }
+    best_energy_ = std::numeric_limits<long>::max();  // the measure has changed
+    keep_best();
+    if (closer == MotionCost::Closer::Unclear) shake();
+  }
+
+  // Hangs some branches anywhere without overlap.
+  void shake() {
+    ++steps_;
+    for (int i = 0; i < 8; ++i) {
+      const int panel = rng_.below(mesh_.num_faces());
+      if (tree_.parent_side(panel) < 0) continue;
+      const auto branch = tree_.gather(panel);
+      const int side = pick_side(branch, tree_.parent_side(panel));
+      if (side >= 0) hang(branch, side);
+    }
+  }
+
+  double temperature() const {
+    const double period = static_cast<double>(options_.steps_per_cooling) * mesh_.num_faces();
+    const double cooled = std::fmod(static_cast<double>(steps_), period) / period;
+    return options_.temperature * (1 - cooled) * (1 - cooled);
+  }
+
+  void step() {
+    const auto [a, b] = pick_conflict();
+    const int panel = pick_branch(a, b);
+    const auto branch = tree_.gather(panel);
+    const int side = pick_side(branch, tree_.parent_side(panel));
+    if (side < 0) return;
+    const long across =
+        options_.overlap_weight * static_cast<long>(tree_.overlaps_with_rest()) + motion_->cost_across(branch);
+    // The worst that would be accepted, drawn before anything is counted.
+    const long bound = across + static_cast<long>(-std::log(1 - rng_.uniform()) * temperature());
+    const int most_overlaps = static_cast<int>(bound / options_.overlap_weight);
+    const long overlaps = tree_.overlaps_if_hung(side, most_overlaps + 1, looked_);
+    if (overlaps > most_overlaps) return;
+    const long left = bound - options_.overlap_weight * overlaps;
+    if (motion_->cost_if_hung(branch, side, left) > left) return;
+    hang(branch, side);
+    keep_best();
+  }
+
+  void hang(std::span<const int> branch, int side) {
+    motion_->hang(branch, side);
+    tree_.hang(side);
+  }
+
+  std::pair<int, int> pick_conflict() {
+    const long overlaps = options_.overlap_weight * static_cast<long>(tree_.overlapping_panels().size());
+    const long i = rng_.below(static_cast<int>(overlaps + motion_->cost()));
+    if (i >= overlaps) return motion_->conflict(i - overlaps);
+    const int a = tree_.overlapping_panels()[i / options_.overlap_weight];
+    const auto partners = tree_.overlapping(a);
+    return {a, partners[rng_.below(static_cast<int>(partners.size()))]};
+  }
+
+  // A panel on the tree path between a and b, below their common ancestor: its subtree holds just one of them. Small
+  // subtrees, which disturb less and are quicker to judge, are preferred.
+  int pick_branch(int a, int b) {
+    between_.clear();
+    while (a != b) {
+      int& lower = tree_.depth(a) >= tree_.depth(b) ? a : b;
+      between_.push_back(lower);
+      lower = tree_.parent(lower);
+    }
+    const int n = static_cast<int>(between_.size());
+    const int first = between_[rng_.below(n)], second = between_[rng_.below(n)];
+    return tree_.subtree_size(first) <= tree_.subtree_size(second) ? first : second;
+  }
+
+  int pick_side(std::span<const int> branch, int hangs_by) {
+    sides_.clear();
+    for (int f : branch) {
+      for (HalfedgeId h : mesh_.halfedges(FaceId(f))) {
+        const HalfedgeId g = mesh_.twin(h);
+        if (g.valid() && h != hangs_by && !tree_.gathered(mesh_.face(g))) sides_.push_back(h);
+      }
+    }
+    return sides_.empty() ? -1 : sides_[rng_.below(static_cast<int>(sides_.size()))];
+  }
+
+  const Mesh& mesh_;
+  DualTree tree_;
+  std::unique_ptr<MotionCost> motion_;
+  const FoldableOptions& options_;
+  Rng rng_;
+  std::vector<int> between_, sides_;
+  FoldForest best_;
+  long best_energy_ = std::numeric_limits<long>::max(), best_overlaps_ = 0, best_collisions_ = 0;
+  long steps_ = 0, looked_ = 0;
+  bool found_ = false;
+};
+
+template <class T>
+void in_range(const char* field, T value, T least) {
+  if (!(value >= least)) throw InvalidOption(fmt::format("{} = {} must be at least {}", field, value, least));
+}
+
+}  // namespace
+
+void check(const FoldableOptions& options) {
+  in_range("lanes", options.lanes, 1);
+  in_range("overlap_weight", options.overlap_weight, 1);
+  in_range("temperature", options.temperature, 1e-9);
+  in_range("steps_per_cooling", options.steps_per_cooling, 1);
+  in_range("max_steps", options.max_steps, 0L);
+}
+
+FoldableResult find_foldable_net(const Mesh& mesh, const std::function<FoldForest(int lane)>& start,
+                                 const std::function<std::unique_ptr<MotionCost>()>& new_cost,
+                                 const FoldableOptions& options, const Run& run) {
+  check(options);
+  const FlatFaces faces(mesh);
+  const Rng rng(options.seed);
+  std::vector<std::unique_ptr<Lane>> lanes(options.lanes);
+  parallel_for(run, options.lanes,
+               [&](int i) { lanes[i] = std::make_unique<Lane>(faces, start(i), new_cost(), options, rng.stream(i)); });
+  const auto better = [](const auto& a, const auto& b) {
+    return std::pair(!a->found(), a->best_energy()) < std::pair(!b->found(), b->best_energy());
+  };
+  for (;;) {
+    parallel_for(run, options.lanes, [&](int i) { lanes[i]->go(run); });
+    const Lane& best = **std::min_element(lanes.begin(), lanes.end(), better);
+    FoldableResult result = best.result();
+    result.steps = 0;
+    for (const auto& lane : lanes) result.steps += lane->steps();
+    run.report("searching a net that folds", result.steps, 0,
+               fmt::format("{} overlaps, {} collisions", result.overlaps, result.collisions));
+    const bool used_up = best.steps() >= options.max_steps;
+    if (!best.found() && !run.over() && !used_up) continue;
+    result.ending = best.found() ? Ending::Found : run.over() ? run.ending() : Ending::Exhausted;
+    return result;
+  }
+}
+
+}  // namespace plico

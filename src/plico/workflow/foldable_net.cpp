@@ -1,0 +1,128 @@
+#include "plico/workflow/foldable_net.h"
+
+#include <algorithm>
+
+#include "plico/base/error.h"
+#include "plico/base/rng.h"
+#include "plico/mesh/measures.h"
+#include "plico/motion/collision.h"
+#include "plico/unfold/foldable.h"
+#include "plico/unfold/heuristics.h"
+#include "plico/unfold/search.h"
+
+namespace plico {
+namespace {
+
+PanelKit kit_of(const Mesh& mesh) {
+  PanelKit kit;
+  for (FaceId f : mesh.faces()) {
+    const Vec3 up = normal(mesh, f);
+    const HalfedgeId first = *mesh.halfedges(f).begin();
+    const Vec3 origin = mesh.point(mesh.from(first)), x = (mesh.point(mesh.to(first)) - origin).normalized();
+    const Vec3 y = up.cross(x);
+    std::vector<Vec2>& outline = kit.outlines.emplace_back();
+    for (HalfedgeId h : mesh.halfedges(f)) {
+      const Vec3 d = mesh.point(mesh.from(h)) - origin;
+      outline.emplace_back(d.dot(x), d.dot(y));
+      kit.twin.push_back(mesh.twin(h));
+      kit.fold_angle.push_back(mesh.twin(h).valid() ? fold_angle(mesh, mesh.edge(h)) : 0);
+    }
+    kit.first_side.push_back(static_cast<int>(kit.twin.size()));
+  }
+  return kit;
+}
+
+// As default_clearance() of the linkage, before there is one.
+double default_clearance_of(const PanelKit& kit) {
+  Linkage linkage;
+  for (const std::vector<Vec2>& outline : kit.outlines) {
+    std::vector<Vec3>& panel = linkage.panels.emplace_back();
+    for (const Vec2& corner : outline) panel.emplace_back(corner.x(), corner.y(), 0);
+  }
+  return default_clearance(linkage);
+}
+
+// Counts collisions at samples of the motion; looks closer by more samples and in the end by the proof.
+class SampledCost : public MotionCost {
+ public:
+  SampledCost(const Mesh& mesh, const PanelKit& kit, const FoldableNetOptions& options, double clearance)
+      : mesh_(mesh), options_(options), clearance_(clearance), sampler_(kit, options.law, clearance, 1e-3 * clearance) {
+    for (int i = 0; i < options.samples; ++i) sampler_.add_sample((i + 0.5) / options.samples);
+  }
+
+  void reset(const FoldForest& tree) override {
+    std::vector<char> joined(mesh_.num_halfedges());
+    for (int h = 0; h < mesh_.num_halfedges(); ++h) joined[h] = tree.is_fold[mesh_.edge(HalfedgeId(h))];
+    sampler_.reset(joined);
+  }
+  long cost() const override { return static_cast<long>(sampler_.conflicts().size()); }
+  std::pair<int, int> conflict(long i) const override {
+    const BranchSampler::Conflict& c = sampler_.conflicts()[i];
+    return {c.panel_a, c.panel_b};
+  }
+  long cost_across(std::span<const int> branch) override { return sampler_.conflicts_across(branch); }
+  long cost_if_hung(std::span<const int> branch, int side, long limit) override {
+    return sampler_.conflicts_if_hung(branch, side, limit);
+  }
+  void hang(std::span<const int> branch, int side) override { sampler_.hang(branch, side); }
+
+  Closer look_closer(const FoldForest& tree, const Run& run) override {
+    const Linkage linkage = linkage_of(lay_flat(mesh_, tree));
+    const FoldingPath path = path_by(options_.law, linkage);
+    CollisionChecker checker(linkage, {.clearance = clearance_});
+    const int checks = 8 * options_.samples;
+    int seen = 0;
+    for (int i = 0; i < checks; ++i) {
+      const double time = (i + 0.25) / checks;
+      if (!checker.collides(path.at(time))) continue;
+      sampler_.add_sample(time);
+      if (++seen == 4) break;
+    }
+    if (seen > 0) return Closer::Seen;
+    const PathProof proof = prove_path(linkage, path, {.clearance = clearance_}, run);
+    if (proof.verdict == PathVerdict::Free) return Closer::Free;
+    if (proof.verdict == PathVerdict::Undecided) return Closer::Unclear;
+    sampler_.add_sample(proof.to);
+    return cost() > 0 ? Closer::Seen : Closer::Unclear;
+  }
+
+ private:
+  const Mesh& mesh_;
+  const FoldableNetOptions& options_;
+  double clearance_;
+  BranchSampler sampler_;
+};
+
+}  // namespace
+
+Linkage linkage_of(const Unfolding& net) { return make_linkage(net.sheet, net.mate); }
+
+FoldingPath path_by(FoldingLaw law, const Linkage& linkage) {
+  return law == FoldingLaw::Linear ? linear_path(linkage) : uniform_path(linkage);
+}
+
+FoldableNet find_foldable_net(const Mesh& mesh, const FoldableNetOptions& options, const Run& run) {
+  if (components(mesh).count != 1)
+    throw InvalidInput("unfold/components",
+                       fmt::format("the mesh has {} components, a foldable net needs one", components(mesh).count), {},
+                       "plico unfold --foldable none");
+  const PanelKit kit = kit_of(mesh);
+  const Rng rng(options.seed);
+  // A net to start from, or at least a spanning tree.
+  const auto start = [&](int lane) {
+    Rng own = rng.stream(lane);
+    const SearchResult net = find_net(mesh, {.seed = own.next()}, run);
+    if (net.parts == 1) return net.forest;
+    return lightest_forest(mesh, dual_weights(mesh, Heuristic::MinimumPerimeter, random_direction(own), own));
+  };
+  const double clearance = options.clearance > 0 ? options.clearance : default_clearance_of(kit);
+  const auto new_cost = [&] { return std::make_unique<SampledCost>(mesh, kit, options, clearance); };
+  const FoldableResult found = find_foldable_net(mesh, start, new_cost, {.seed = options.seed}, run);
+  FoldableNet result{found.ending, found.tree, found.overlaps, found.collisions, found.steps, {}, {}};
+  const Linkage linkage = linkage_of(lay_flat(mesh, found.tree));
+  result.path = path_by(options.law, linkage);
+  if (found.ending == Ending::Found) result.proof = prove_path(linkage, result.path, {.clearance = clearance});
+  return result;
+}
+
+}  // namespace plico

@@ -1,0 +1,38 @@
+// From a mesh to a one-piece net with a proven motion: the search of unfold/foldable.h, told by motion/ where a net
+// collides and by verify/ when it does not.
+#pragma once
+#include <cstdint>
+
+#include "plico/base/run.h"
+#include "plico/fold/folding_path.h"
+#include "plico/fold/unfolding.h"
+#include "plico/motion/branch_sampler.h"
+#include "plico/verify/path.h"
+
+namespace plico {
+
+struct FoldableNetOptions {
+  std::uint64_t seed = 1;
+  FoldingLaw law = FoldingLaw::Linear;
+  double clearance = 0;  // units; 0: 1e-3 of the mean side length
+  int samples = 16;  // of the motion to begin with; more are added where a net that looked free collides; at least 1
+};
+
+struct FoldableNet {
+  Ending ending = Ending::Exhausted;
+  FoldForest tree;    // Found: one net whose motion is proven free; otherwise the best tree, overlaps cut apart or not
+  long overlaps = 0;  // of the flat panels of `tree`
+  long collisions = 0;  // colliding pairs over the samples that the search had in the end
+  long steps = 0;       // branches tried
+  FoldingPath path;     // of make_linkage(lay_flat(mesh, tree)), by the law
+  PathProof proof;      // Free exactly when ending is Found
+};
+
+// The mesh must be connected, otherwise throws InvalidInput.
+FoldableNet find_foldable_net(const Mesh& mesh, const FoldableNetOptions& options = {}, const Run& run = {});
+
+// The linkage of a net, and its motion by a law.
+Linkage linkage_of(const Unfolding& net);
+FoldingPath path_by(FoldingLaw law, const Linkage& linkage);
+
+}  // namespace plico
