@@ -87,26 +87,27 @@ void BranchSampler::place_plate(Sample& sample, int plate) const {
   for (int k = 0; k < 3; ++k) sample.bounds[k][plate] = box.low[k], sample.bounds[k + 3][plate] = box.high[k];
 }
 
-void BranchSampler::place_all(Sample& sample) const {
-  const int n = kit_.num_panels();
-  sample.pose.assign(n, Pose::Identity());
-  sample.corners.resize(shape_.size());
-  for (auto& bound : sample.bounds) bound.resize(plates_.size());
-  std::vector<int> queue{0};
-  std::vector<char> placed(n, 0);
-  placed[0] = 1;
-  for (std::size_t at = 0; at < queue.size(); ++at) {
-    const int p = queue[at];
+// Places all panels that hang on `root`, whose pose is known, without crossing its side `barred` (-1: none).
+void BranchSampler::place_from(Sample& sample, int root, int barred) {
+  queue_.assign(1, {root, barred});
+  for (std::size_t at = 0; at < queue_.size(); ++at) {
+    const auto [p, entered_by] = queue_[at];
+    for (int i = first_plate_[p]; i < first_plate_[p + 1]; ++i) place_plate(sample, i);
     for (int side = kit_.first_side[p]; side < kit_.first_side[p + 1]; ++side) {
-      if (!is_joined_[side] || placed[side_panel_[kit_.twin[side]]]) continue;
+      if (!is_joined_[side] || side == entered_by) continue;
       const int q = side_panel_[kit_.twin[side]];
       sample.pose[q] = sample.pose[p] * across(side, sample.time);
-      placed[q] = 1;
-      queue.push_back(q);
+      queue_.emplace_back(q, kit_.twin[side]);
     }
   }
-  PLICO_ASSERT(static_cast<int>(queue.size()) == n);
-  for (int i = 0; i < static_cast<int>(plates_.size()); ++i) place_plate(sample, i);
+}
+
+void BranchSampler::place_all(Sample& sample) {
+  sample.pose.assign(kit_.num_panels(), Pose::Identity());
+  sample.corners.resize(shape_.size());
+  for (auto& bound : sample.bounds) bound.resize(plates_.size());
+  place_from(sample, 0, -1);
+  PLICO_ASSERT(static_cast<int>(queue_.size()) == kit_.num_panels());
 }
 
 void BranchSampler::reset(const std::vector<char>& is_joined) {
@@ -239,11 +240,10 @@ void BranchSampler::hang(std::span<const int> branch, int side) {
       conflicts_.push_back({k, a, b});
       return false;
     });
-    const Pose motion = moved_by(sample, side);
-    for (int panel : branch) {
-      sample.pose[panel] = motion * sample.pose[panel];
-      for (int i = first_plate_[panel]; i < first_plate_[panel + 1]; ++i) place_plate(sample, i);
-    }
+    // Panel by panel along the tree, not by the branch's motion: that would double rounding errors at every hanging.
+    const int twin = kit_.twin[side], panel = side_panel_[side];
+    sample.pose[panel] = sample.pose[side_panel_[twin]] * across(twin, sample.time);
+    place_from(sample, panel, side);
   }
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 #include <array>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "plico/base/vec.h"
@@ -59,7 +60,8 @@ class BranchSampler {
   void make_plates(double clearance);
   double angle_at(int side, double time) const;
   Pose across(int side, double time) const;  // of the panel over `side`, seen from the panel that has it
-  void place_all(Sample& sample) const;
+  void place_all(Sample& sample);
+  void place_from(Sample& sample, int root, int barred);
   void place_plate(Sample& sample, int plate) const;
   void find_conflicts(int sample);
   void mark(std::span<const int> branch);
@@ -82,8 +84,9 @@ class BranchSampler {
   std::vector<Conflict> conflicts_;
   std::vector<int> mark_;
   int stamp_ = 0;
-  std::vector<Vec3> moved_;  // corners of the branch where it would hang
-  std::vector<int> near_;    // plates of the rest close to the branch
+  std::vector<Vec3> moved_;                 // corners of the branch where it would hang
+  std::vector<std::pair<int, int>> queue_;  // panel, side by which it was entered
+  std::vector<int> near_;                   // plates of the rest close to the branch
 };
 
 }  // namespace plico

@@ -33,7 +33,6 @@ class Lane {
       step();
     }
     tree_.balance();
-    if (!found_) refresh();
   }
 
   bool found() const { return found_; }
@@ -44,9 +43,6 @@ class Lane {
  private:
   long energy() const { return options_.overlap_weight * static_cast<long>(tree_.num_overlaps()) + motion_->cost(); }
 
-  // The motion's poses gather rounding errors from hanging to hanging.
-  void refresh() { motion_->reset(tree_.forest()); }
-
   void keep_best() {
     if (energy() >= best_energy_) return;
     best_energy_ = energy();
@@ -56,8 +52,6 @@ class Lane {
   }
 
   void look_closer(const Run& run) {
-    refresh();
-    if (energy() > 0) return;
     const MotionCost::Closer closer = motion_->look_closer(tree_.forest(), run);
     if (closer == MotionCost::Closer::Free) {
       best_ = tree_.forest();

@@ -78,7 +78,7 @@ class SampledCost : public MotionCost {
       sampler_.add_sample(time);
       if (++seen == 4) break;
     }
-    if (seen > 0) return Closer::Seen;
+    if (cost() > 0) return Closer::Seen;
     const PathProof proof = prove_path(linkage, path, {.clearance = clearance_}, run);
     if (proof.verdict == PathVerdict::Free) return Closer::Free;
     if (proof.verdict == PathVerdict::Undecided) return Closer::Unclear;

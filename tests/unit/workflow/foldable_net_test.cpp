@@ -1,0 +1,59 @@
+#include "plico/workflow/foldable_net.h"
+
+#include <gtest/gtest.h>
+
+#include "bumpy_sphere.h"
+#include "plico/base/error.h"
+#include "plico/unfold/foldable.h"
+#include "plico/verify/net.h"
+
+namespace plico {
+namespace {
+
+TEST(FoldableNet, FindsANetWithAProvenMotion) {
+  const Mesh mesh = bumpy_sphere(2, 0.1, 7);  // 128 faces
+  for (FoldingLaw law : {FoldingLaw::Linear, FoldingLaw::Uniform}) {
+    const FoldableNet found = find_foldable_net(mesh, {.law = law});
+    ASSERT_EQ(found.ending, Ending::Found);
+    EXPECT_EQ(found.proof.verdict, PathVerdict::Free);
+    const Unfolding net = lay_flat(mesh, found.tree);
+    EXPECT_EQ(net.num_parts(), 1);
+    EXPECT_TRUE(verify_net(net, mesh).is_net());
+    EXPECT_EQ(prove_path(linkage_of(net), found.path).verdict, PathVerdict::Free);
+  }
+}
+
+TEST(FoldableNet, ThreadsDoNotChangeIt) {
+  const Mesh mesh = bumpy_sphere(2, 0.1, 3);
+  const FoldableNet one = find_foldable_net(mesh, {.seed = 5}, {.threads = 1});
+  const FoldableNet two = find_foldable_net(mesh, {.seed = 5}, {.threads = 2});
+  ASSERT_EQ(one.ending, Ending::Found);
+  EXPECT_EQ(one.tree, two.tree);
+  EXPECT_EQ(one.steps, two.steps);
+}
+
+TEST(FoldableNet, StoppedAtOnceStillHandsOutATree) {
+  std::stop_source source;
+  source.request_stop();
+  const Mesh mesh = bumpy_sphere(2, 0.3, 3);
+  const FoldableNet found = find_foldable_net(mesh, {}, {.stop = source.get_token()});
+  EXPECT_EQ(found.ending, Ending::Stopped);
+  EXPECT_EQ(lay_flat(mesh, found.tree).num_parts(), 1);
+  EXPECT_NE(found.proof.verdict, PathVerdict::Free);
+}
+
+TEST(FoldableNet, TwoBodiesAreRefused) {
+  PolygonSoup two = bumpy_sphere(0, 0, 1).soup();
+  const PolygonSoup one = two;
+  for (const Vec3& p : one.points) two.points.push_back(p + Vec3(5, 0, 0));
+  for (int f = 0; f < one.num_faces(); ++f) two.add_face({one.face(f)[0] + 6, one.face(f)[1] + 6, one.face(f)[2] + 6});
+  EXPECT_THROW(find_foldable_net(Mesh(two)), InvalidInput);
+}
+
+TEST(FoldableNet, OptionsAreChecked) {
+  EXPECT_THROW(check(FoldableOptions{.lanes = 0}), InvalidOption);
+  EXPECT_THROW(check(FoldableOptions{.temperature = 0}), InvalidOption);
+}
+
+}  // namespace
+}  // namespace plico
