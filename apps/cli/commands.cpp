@@ -11,6 +11,7 @@ std::vector<Command> all_commands() {
       check_command(),
       unfold_command(),
       export_command(),
+      fold_command(),
       print_command(),
       sample_command(),
       verify_command(),

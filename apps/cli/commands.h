@@ -11,6 +11,7 @@ Command check_command();
 Command unfold_command();
 Command sample_command();
 Command export_command();
+Command fold_command();
 Command verify_command();
 Command print_command();
 Command man_command();

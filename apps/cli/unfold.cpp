@@ -5,9 +5,11 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.h"
+#include "motion_report.h"
 #include "plico/io/fold.h"
 #include "plico/io/mesh_file.h"
 #include "plico/mesh/measures.h"
+#include "plico/workflow/foldable_net.h"
 #include "plico/workflow/unfold_mesh.h"
 #include "session.h"
 
@@ -17,7 +19,7 @@ namespace {
 using nlohmann::json;
 
 struct UnfoldArgs {
-  std::string mesh, method = "search";
+  std::string mesh, method = "search", foldable = "none";
   UnfoldOptions options;
   int max_steps = -1;
 };
@@ -67,6 +69,35 @@ void say_outcome(const Session& session, const Mesh& mesh, const UnfoldOutcome& 
   }
 }
 
+// A net that folds by the law asked for, with its motion.
+int unfold_foldable(const UnfoldArgs& args, const Mesh& mesh, const std::vector<std::string>& outputs,
+                    Session& session) {
+  const FoldingLaw law = args.foldable == "uniform" ? FoldingLaw::Uniform : FoldingLaw::Linear;
+  const Run run = session.run();
+  const FoldableNet found = find_foldable_net(mesh, {.seed = session.seed(), .law = law}, run);
+  const Unfolding net = lay_flat(mesh, found.tree);
+  const NetVerdict verdict = verify_net(net, mesh);
+  json& report = session.report();
+  report["faces"] = mesh.num_faces();
+  report["foldable"] = args.foldable;
+  report["ending"] = name(found.ending);
+  report["steps"] = found.steps;
+  report["overlaps"] = verdict.overlaps.count;
+  report["collisions"] = found.collisions;
+  report["motion"] = motion_json(found.proof);
+  session.say(
+      found.ending == Ending::Found
+          ? fmt::format("{} faces: one net; {} motion {}", mesh.num_faces(), args.foldable, motion_line(found.proof))
+          : fmt::format("no net found that folds; the best tree has {} overlaps and {} collisions",
+                        verdict.overlaps.count, found.collisions));
+  if (found.ending == Ending::Found && !verdict.is_net()) return kInternal;
+  FoldFile file = fold_file(mesh, net);
+  file.report = session.provenance().dump();
+  if (found.ending == Ending::Found) set_path(file, linkage_of(net), found.path);
+  for (const std::string& path : outputs) session.write(path, write_fold(file));
+  return Session::exit_code(found.ending);
+}
+
 int unfold_file(UnfoldArgs& args, Session& session) {
   set_method(args.options, args.method);
   args.options.search.seed = session.seed();
@@ -74,6 +105,7 @@ int unfold_file(UnfoldArgs& args, Session& session) {
   check(args.options);
   const std::vector<std::string> outputs = session.outputs("-");
   const Mesh mesh = to_mesh(read_mesh_source(session.read(args.mesh), args.mesh));
+  if (args.foldable != "none") return unfold_foldable(args, mesh, outputs, session);
   const UnfoldOutcome outcome = unfold_mesh(mesh, args.options, session.run());
   report_outcome(session, mesh, args, outcome);
   say_outcome(session, mesh, outcome);
@@ -96,7 +128,10 @@ Command unfold_command() {
       .example("plico unfold bird.obj -o - | plico print - -o bird.pdf", "and straight on to printable pages")
       .example("plico unfold bird.obj --method steepest-edge -o bird.fold",
                "by a classic heuristic, in parts if need be")
+      .example("plico unfold bird.obj --foldable linear -o motion.fold", "a net that folds, with its proven motion")
       .positional("mesh", "OBJ, OFF, STL or PLY file; - for standard input", args->mesh)
+      .choice("--foldable", "search a net whose linear or uniform motion is proven free, and write that motion too",
+              args->foldable, {"none", "linear", "uniform"})
       .choice("--method", "how the spanning tree is found", args->method, unfold_methods())
       .option("--directions", "N", "random directions tried by a heuristic method", args->options.directions)
       .option("--starts", "N", "grown trees of which the search takes the best", search.starts)

@@ -4,10 +4,13 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.h"
+#include "motion_report.h"
 #include "plico/base/error.h"
 #include "plico/io/fold.h"
 #include "plico/io/mesh_file.h"
 #include "plico/verify/net.h"
+#include "plico/verify/path.h"
+#include "plico/workflow/plan_motion.h"
 #include "session.h"
 
 namespace plico::cli {
@@ -17,6 +20,8 @@ using nlohmann::json;
 
 struct VerifyArgs {
   std::string file, mesh;
+  double clearance = 0, noise = 0;
+  int samples = 100;
 };
 
 json to_json(const Overlaps& overlaps) {
@@ -112,6 +117,42 @@ int verify_sheet_file(const FoldFile& file, Session& session) {
   return valid ? kDone : kNo;
 }
 
+// How often the motion still folds with inexact creases; a figure, not part of the verdict.
+void report_noise(const FoldFile& file, const Linkage& linkage, const VerifyArgs& args, Session& session) {
+  const NoiseVerdict verdict =
+      fold_with_noise(linkage, *file.path, args.noise, args.samples, session.seed(), args.clearance, session.run());
+  session.report()["noise"] = {{"angle_deg", degrees(args.noise)},
+                               {"samples", verdict.samples},
+                               {"folded", verdict.folded},
+                               {"mean_stop", verdict.mean_stop}};
+  session.print(
+      fmt::format("noise      {} of {} fold with creases off by up to {:.3g} degrees, to t = {:.3g} on average\n",
+                  verdict.folded, verdict.samples, degrees(args.noise), verdict.mean_stop));
+}
+
+// A motion claims that its panels never penetrate each other on the way.
+int verify_motion_file(const FoldFile& file, const VerifyArgs& args, Session& session) {
+  const Run run = session.run();
+  const Linkage linkage = make_linkage(file.net.sheet, file.net.mate);
+  const PathProof proof = prove_path(linkage, *file.path, {.clearance = args.clearance}, run);
+  json& report = session.report();
+  report["kind"] = "motion";
+  report["panels"] = linkage.num_panels();
+  report["hinges"] = linkage.num_hinges();
+  report["waypoints"] = file.path->waypoints.size();
+  report["motion"] = motion_json(proof);
+  const bool valid = proof.verdict == PathVerdict::Free;
+  report["valid"] = valid;
+  session.print(fmt::format("motion     {}, {}, {}\n", count(linkage.num_panels(), "panel"),
+                            count(linkage.num_hinges(), "fold"),
+                            count(static_cast<long>(file.path->waypoints.size()), "waypoint")));
+  session.print(fmt::format("proof      {}\n", motion_line(proof)));
+  if (args.noise > 0 && !run.over()) report_noise(file, linkage, args, session);
+  session.print(fmt::format("verified   {}\n", proof.interrupted ? "not finished" : valid ? "yes" : "no"));
+  if (proof.interrupted) return Session::exit_code(run.ending());
+  return valid ? kDone : kNo;
+}
+
 int verify_file(const VerifyArgs& args, Session& session) {
   if (args.file == "-" && args.mesh == "-") throw InvalidOption("only one of the two files can be standard input");
   const FoldFile file = read_fold(session.read(args.file), args.file);
@@ -124,10 +165,9 @@ int verify_file(const VerifyArgs& args, Session& session) {
                            {}, fmt::format("plico verify {}", args.file));
       return verify_sheet_file(file, session);
     case FoldKind::Motion:
-      break;
+      return verify_motion_file(file, args, session);
   }
-  throw InvalidInput("verify/motion",
-                     fmt::format("{} holds a motion; nets and crease patterns can be verified", args.file));
+  return kInternal;
 }
 
 }  // namespace
@@ -138,8 +178,13 @@ Command verify_command() {
       .example("plico verify bird.fold bird.obj", "is this a net of this mesh?")
       .example("plico verify bird.fold", "the same, against the folded form in the file")
       .example("plico unfold bird.obj -o - | plico verify - --json", "every figure, for a program")
-      .positional("file", "FOLD file with a net or a crease pattern", args->file)
+      .example("plico verify motion.fold --angle-noise 6deg", "is this motion free of collision, and how robust is it?")
+      .positional("file", "FOLD file with a net, a crease pattern or a motion", args->file)
       .positional("mesh", "the mesh it was made from; without it, the folded form in the file", args->mesh, false)
+      .option("--clearance", "LENGTH", "motions: how far panels are shrunk, file's unit; 0: 1/1000 of the mean side",
+              args->clearance)
+      .angle("--angle-noise", "motions: also fold with every crease off by up to this much", args->noise)
+      .option("--samples", "N", "motions folded with --angle-noise", args->samples)
       .action([args](Session& session) { return verify_file(*args, session); });
 }
 

@@ -1,0 +1,13 @@
+// How commands tell about the proof of a motion.
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "plico/verify/path.h"
+
+namespace plico::cli {
+
+nlohmann::json motion_json(const PathProof& proof);
+std::string motion_line(const PathProof& proof);  // one line for people
+
+}  // namespace plico::cli

@@ -1,0 +1,136 @@
+#include "plico/workflow/plan_motion.h"
+
+#include <algorithm>
+#include <array>
+
+#include "plico/base/error.h"
+#include "plico/base/rng.h"
+#include "plico/motion/collision.h"
+
+namespace plico {
+namespace {
+
+constexpr std::array<std::string_view, 6> kMethods = {"auto", "linear", "uniform", "lazy-prm", "rrt-connect", "prm"};
+constexpr int kTriesPerAlternative = 20;
+
+Planner planner_of(MotionMethod method) {
+  return method == MotionMethod::RrtConnect ? Planner::RrtConnect
+         : method == MotionMethod::Prm      ? Planner::Prm
+                                            : Planner::LazyPrm;
+}
+
+class Planning {
+ public:
+  Planning(const Linkage& linkage, const MotionOptions& options, const Run& run)
+      : linkage_(linkage), options_(options), run_(run) {}
+
+  MotionOutcome plan() {
+    const bool any = options_.method == MotionMethod::Auto;
+    if (any || options_.method == MotionMethod::Linear) take(MotionMethod::Linear, linear_path(linkage_), run_);
+    if (!enough() && (any || options_.method == MotionMethod::Uniform))
+      take(MotionMethod::Uniform, uniform_path(linkage_), run_);
+    if (!enough() && (any || wants_a_planner())) search();
+    if (outcome_.motions.empty()) take(MotionMethod::Linear, linear_path(linkage_), {});
+    if (enough())
+      outcome_.ending = Ending::Found;
+    else
+      outcome_.ending = run_.over() ? run_.ending() : Ending::Exhausted;
+    return std::move(outcome_);
+  }
+
+ private:
+  bool enough() const { return free_ >= options_.alternatives; }
+  bool wants_a_planner() const {
+    return options_.method != MotionMethod::Linear && options_.method != MotionMethod::Uniform;
+  }
+
+  // Planned paths are free at their samples only; one that the proof refutes costs another try.
+  void search() {
+    const MotionMethod method = options_.method == MotionMethod::Auto ? MotionMethod::LazyPrm : options_.method;
+    const Rng rng(options_.seed);
+    for (int i = 0; i < kTriesPerAlternative * options_.alternatives && !enough() && !run_.over(); ++i) {
+      const PlannerOptions planner{.seed = rng.stream(i).next(),
+                                   .planner = planner_of(method),
+                                   .clearance = options_.clearance,
+                                   .resolution = 0.005 / (1 + i)};
+      const PlannedPath planned = plan_path(linkage_, planner, run_);
+      if (planned.ending != Ending::Found) return;
+      take(method, planned.path, run_);
+      run_.report("planning a motion", i + 1, 0, fmt::format("{} proven", free_));
+    }
+  }
+
+  void take(MotionMethod method, FoldingPath path, const Run& run) {
+    for (const Motion& other : outcome_.motions)
+      if (other.proof.verdict == PathVerdict::Free && blends_freely(linkage_, other.path, path, options_.clearance))
+        return;
+    Motion motion{method, std::move(path), {}};
+    motion.proof = prove_path(linkage_, motion.path, {.clearance = options_.clearance}, run);
+    const bool free = motion.proof.verdict == PathVerdict::Free;
+    if (free && free_++ == 0) outcome_.motions.clear();  // the first that folds replaces the best that does not
+    if (free || outcome_.motions.empty()) {
+      outcome_.motions.push_back(std::move(motion));
+    } else if (free_ == 0 && motion.proof.from > outcome_.motions.front().proof.from) {
+      outcome_.motions.front() = std::move(motion);
+    }
+  }
+
+  const Linkage& linkage_;
+  const MotionOptions& options_;
+  const Run& run_;
+  MotionOutcome outcome_;
+  int free_ = 0;
+};
+
+}  // namespace
+
+std::vector<std::string> motion_methods() { return {kMethods.begin(), kMethods.end()}; }
+
+MotionMethod motion_method(std::string_view name) {
+  const auto at = std::find(kMethods.begin(), kMethods.end(), name);
+  if (at == kMethods.end()) throw InvalidOption(fmt::format("there is no planner '{}'", name));
+  return static_cast<MotionMethod>(at - kMethods.begin());
+}
+
+MotionOutcome plan_motion(const Linkage& linkage, const MotionOptions& options, const Run& run) {
+  if (options.alternatives < 1)
+    throw InvalidOption(fmt::format("alternatives = {} must be at least 1", options.alternatives));
+  return Planning(linkage, options, run).plan();
+}
+
+NoiseVerdict fold_with_noise(const Linkage& linkage, const FoldingPath& path, double noise, int samples,
+                             std::uint64_t seed, double clearance, const Run& run) {
+  if (!(noise >= 0)) throw InvalidOption(fmt::format("angle noise = {} must be at least 0", noise));
+  if (samples < 1) throw InvalidOption(fmt::format("samples = {} must be at least 1", samples));
+  constexpr int kSteps = 100;
+  const Rng rng(seed);
+  std::vector<double> stop(samples, -1);
+  parallel_for(run, samples, [&](int i) {
+    Rng own = rng.stream(i);
+    CollisionChecker checker(linkage, {.clearance = clearance});
+    Configuration off(linkage.num_hinges());
+    for (double& angle : off) angle = own.uniform(-noise, noise);
+    double first = 1;
+    bool folded = true;
+    for (int k = 1; k <= kSteps && folded; ++k) {
+      if (run.over()) return;
+      const double t = static_cast<double>(k) / kSteps;
+      const Configuration config = (path.at(t) + t * off).cwiseMax(-kPi).cwiseMin(kPi);
+      folded = !checker.collides(config);
+      first = t;
+    }
+    stop[i] = folded ? 2 : first;
+  });
+  NoiseVerdict verdict;
+  double sum = 0;
+  for (double s : stop) {
+    if (s < 0) continue;  // not reached before the run was over
+    ++verdict.samples;
+    verdict.folded += s > 1;
+    sum += std::min(s, 1.0);
+  }
+  if (verdict.samples > 0) verdict.mean_stop = sum / verdict.samples;
+  return verdict;
+}
+
+}  // namespace plico

@@ -1,0 +1,49 @@
+// From a linkage to a proven motion: the straight one, the uniform one, or what a planner finds; then the proof.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "plico/base/run.h"
+#include "plico/fold/folding_path.h"
+#include "plico/motion/planner.h"
+#include "plico/verify/path.h"
+
+namespace plico {
+
+enum class MotionMethod { Auto, Linear, Uniform, LazyPrm, RrtConnect, Prm };
+std::vector<std::string> motion_methods();          // "auto", "linear", ..., in the order above
+MotionMethod motion_method(std::string_view name);  // throws InvalidOption
+
+struct MotionOptions {
+  std::uint64_t seed = 1;
+  MotionMethod method = MotionMethod::Auto;  // Auto: linear, else uniform, else lazy-prm
+  int alternatives = 1;                      // motions wanted, none of which blends straight into another; at least 1
+  double clearance = 0;                      // units; 0: 1e-3 of the mean side length
+};
+
+struct Motion {
+  MotionMethod method = MotionMethod::Linear;  // that made it; never Auto
+  FoldingPath path;
+  PathProof proof;
+};
+
+struct MotionOutcome {
+  Ending ending = Ending::Exhausted;  // Found: as many proven motions as were wanted
+  std::vector<Motion> motions;        // at least one; without a proven one, the best: the motion that gets farthest
+  bool proven() const { return !motions.empty() && motions.front().proof.verdict == PathVerdict::Free; }
+};
+
+// Every motion handed out as Free was proven by verify/path.h, whoever made it.
+MotionOutcome plan_motion(const Linkage& linkage, const MotionOptions& options = {}, const Run& run = {});
+
+// How often a motion still folds when creases are made inexactly: in each sample every fold angle is off by a random
+// amount in [-noise, noise] radians at the goal, in proportion to time before.
+struct NoiseVerdict {
+  int samples = 0, folded = 0;  // folded: no collision at `steps` states of the motion
+  double mean_stop = 1;         // time of the first collision, 1 for those that fold
+};
+NoiseVerdict fold_with_noise(const Linkage& linkage, const FoldingPath& path, double noise, int samples,
+                             std::uint64_t seed = 1, double clearance = 0, const Run& run = {});
+
+}  // namespace plico
