@@ -175,6 +175,15 @@ class Proof {
     return std::min(lead(a_start_, b_start_, direction), lead(a_end_, b_end_, direction));
   }
 
+  Vec3 between_centres() const {
+    Vec3 a = Vec3::Zero(), b = Vec3::Zero();
+    for (const Vec3& p : a_end_) a += p;
+    for (const Vec3& p : b_end_) b += p;
+    const Vec3 apart = a / static_cast<double>(a_end_.size()) - b / static_cast<double>(b_end_.size());
+    const double distance = apart.norm();
+    return distance > 0 ? Vec3(apart / distance) : Vec3(Vec3::Zero());
+  }
+
   static void middle(const std::vector<Vec3>& p, const std::vector<Vec3>& q, std::vector<Vec3>& result) {
     result.resize(p.size());
     for (std::size_t i = 0; i < p.size(); ++i) result[i] = (p[i] + q[i]) / 2;
@@ -186,6 +195,8 @@ class Proof {
     place(pair, at_start, at_end);
     const double stray = motion_.bend(plates_.panel[pair.a], pair.frame) +
                          motion_.bend(plates_.panel[pair.b], pair.frame) + proof_.rounding;
+    // A guess that settles most pairs at a tenth of the price of their true separation.
+    if (pair.direction == Vec3::Zero()) pair.direction = between_centres();
     if (pair.direction != Vec3::Zero() && least_lead(pair.direction) > stray)
       return same_side(pair, start, end, pair.direction, false);
     middle(a_start_, a_end_, a_middle_);
