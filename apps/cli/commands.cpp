@@ -7,6 +7,7 @@ namespace plico::cli {
 std::vector<Command> all_commands() {
   // clang-format off
   return {
+      craft_command(),
       info_command(),
       check_command(),
       unfold_command(),

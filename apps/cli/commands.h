@@ -6,6 +6,7 @@
 
 namespace plico::cli {
 
+Command craft_command();
 Command info_command();
 Command check_command();
 Command unfold_command();

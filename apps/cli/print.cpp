@@ -77,11 +77,12 @@ std::string stem(const std::string& path) {
 }
 
 int print(const NetArgs& args, Session& session) {
-  const SheetOptions options = sheet_options(args.print);
+  SheetOptions options = sheet_options(args.print);
   const std::string name = stem(args.net);
   const std::vector<std::string> outputs = session.outputs(name + ".pdf");
   for (const std::string& path : outputs) require_kind(path);
   FoldFile file = read_fold(session.read(args.net), args.net);
+  options.size.fill_page = file.unit == "unit";  // a file in millimetres says how large it is
   const SheetResult result = make_sheet(file.net, shape_of(file), options, session.run());
   const SheetVerdict verdict = verify_sheet(result.sheet);
   session.report()["print"] = json_of(result.report);

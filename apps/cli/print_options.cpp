@@ -43,7 +43,8 @@ MarkOptions mark_options(const std::vector<std::string>& given) {
 void add_print_options(Command& command, PrintArgs& args) {
   command.length("--height", "height of the finished model, along --up", args.size.height)
       .length("--width", "width of the finished model, along x", args.size.width)
-      .length("--longest", "longest side of the finished model", args.size.longest)
+      .length("--longest", "longest side of the finished model; without any size, as large as fits one page a part",
+              args.size.longest)
       .option("--scale", "K", "millimetres per unit of the model", args.scale)
       .choice("--up", "axis of the height", args.up, {"y", "z"})
       .option("--page", "SIZE", "A5, A4, A3, A2, Letter, Legal, Tabloid or WIDTHxHEIGHT", args.page)

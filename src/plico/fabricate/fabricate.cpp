@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "plico/base/error.h"
 #include "plico/fabricate/pieces.h"
@@ -32,6 +33,17 @@ std::vector<std::vector<Vec2>> part_points(const Unfolding& net) {
 Vec2 room_without_tabs(const SheetOptions& options) {
   const double tab = options.tabs.side == TabSide::None ? 0 : options.tabs.depth;
   return printable(options.page) - Vec2::Constant(2 * tab);
+}
+
+// The largest scale at which every part of the net fits a page, rounded down so that the longest side of the model is a
+// whole number of millimetres.
+double scale_that_fills_page(const Unfolding& net, const FoldedShape& shape, const SheetOptions& options) {
+  double scale = std::numeric_limits<double>::infinity();
+  for (auto& points : part_points(net))
+    scale = std::min(scale, 0.999 * largest_scale(convex_hull(std::move(points)), room_without_tabs(options)));
+  if (!std::isfinite(scale) || scale <= 0) return 1;
+  const double longest = scale * shape.size.maxCoeff();
+  return longest > 2 ? scale * std::floor(longest) / longest : scale;
 }
 
 bool any_too_large(const Unfolding& net, const Vec2& room) {
@@ -209,7 +221,8 @@ SheetResult make_sheet(const Unfolding& model_net, const FoldedShape& shape, con
   check(options);
   SheetResult result;
   SheetReport& report = result.report;
-  report.scale = scale_of(shape, options.size);
+  report.scale = options.size.fill_page && !options.size.is_given() ? scale_that_fills_page(model_net, shape, options)
+                                                                    : scale_of(shape, options.size);
   report.final_size = report.scale * shape.size;
 
   Unfolding net = in_millimetres(model_net, report.scale);

@@ -64,6 +64,10 @@ FoldedShape folded_shape(const Mesh& mesh) {
   return shape;
 }
 
+bool SizeOptions::is_given() const {
+  return !(std::isnan(height) && std::isnan(width) && std::isnan(longest) && std::isnan(scale));
+}
+
 double scale_of(const FoldedShape& shape, const SizeOptions& options) {
   const double up = options.up == 'z' ? shape.size.z() : shape.size.y();
   const struct {

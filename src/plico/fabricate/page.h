@@ -28,13 +28,16 @@ struct FoldedShape {
 };
 FoldedShape folded_shape(const Mesh& mesh);
 
-// The wanted size; at most one of the four is given, the others are NaN. None: a net unit is `unit_mm` millimetres.
+// The wanted size; at most one of the four is given, the others are NaN.
 struct SizeOptions {
   double height = std::numeric_limits<double>::quiet_NaN();   // millimetres, along the up axis
   double width = std::numeric_limits<double>::quiet_NaN();    // millimetres, along x
   double longest = std::numeric_limits<double>::quiet_NaN();  // millimetres, the longest side of the bounding box
   double scale = std::numeric_limits<double>::quiet_NaN();    // millimetres per unit
   char up = 'y';                                              // the axis of the height: 'y' or 'z'
+  // None given: as large as fits, every part on one page; or, when false, a net unit is a millimetre.
+  bool fill_page = false;
+  bool is_given() const;
 };
 
 // Millimetres per net unit. Throws InvalidOption when two sizes are given, one is not positive, or the model has no

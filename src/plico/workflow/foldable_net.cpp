@@ -117,7 +117,8 @@ FoldableNet find_foldable_net(const Mesh& mesh, const FoldableNetOptions& option
   };
   const double clearance = options.clearance > 0 ? options.clearance : default_clearance_of(kit);
   const auto new_cost = [&] { return std::make_unique<SampledCost>(mesh, kit, options, clearance); };
-  const FoldableResult found = find_foldable_net(mesh, start, new_cost, {.seed = options.seed}, run);
+  const FoldableResult found =
+      find_foldable_net(mesh, start, new_cost, {.seed = options.seed, .max_steps = options.max_steps}, run);
   FoldableNet result{found.ending, found.tree, found.overlaps, found.collisions, found.steps, {}, {}};
   const Linkage linkage = linkage_of(lay_flat(mesh, found.tree));
   result.path = path_by(options.law, linkage);

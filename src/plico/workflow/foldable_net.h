@@ -16,6 +16,7 @@ struct FoldableNetOptions {
   FoldingLaw law = FoldingLaw::Linear;
   double clearance = 0;  // units; 0: 1e-3 of the mean side length
   int samples = 16;  // of the motion to begin with; more are added where a net that looked free collides; at least 1
+  long max_steps = 50'000'000;  // branches tried from each start
 };
 
 struct FoldableNet {

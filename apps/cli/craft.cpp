@@ -1,0 +1,90 @@
+// plico craft: the main job, all in one folder.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "commands.h"
+#include "plico/io/mesh_file.h"
+#include "plico/workflow/craft.h"
+#include "print_options.h"
+#include "session.h"
+
+namespace plico::cli {
+namespace {
+
+struct CraftArgs {
+  std::string mesh, foldable = "linear";
+  PrintArgs print;
+};
+
+std::string stem(const std::string& path) {
+  return path == "-" ? std::string("model") : std::filesystem::path(path).stem().string();
+}
+
+CraftOptions craft_options(const CraftArgs& args, Session& session) {
+  CraftOptions options;
+  options.name = stem(args.mesh);
+  options.made_by = session.provenance().dump();
+  options.unfold.search.seed = session.seed();
+  options.law = args.foldable == "linear"    ? std::optional(FoldingLaw::Linear)
+                : args.foldable == "uniform" ? std::optional(FoldingLaw::Uniform)
+                                             : std::nullopt;
+  options.sheet = sheet_options(args.print);
+  options.draw = draw_options(args.print, options.name);
+  return options;
+}
+
+std::string motion_text(const CraftResult& result) {
+  if (!result.motion) return "none is needed";
+  const PathProof& proof = result.motion->proof;
+  if (result.proven()) return fmt::format("{}, proven free of collision at every moment", result.motion_kind);
+  if (proof.verdict == PathVerdict::Collides)
+    return fmt::format("none found; the best, {}, collides at t = {:.3g} (panels {} and {})", result.motion_kind,
+                       proof.to, proof.panel_a, proof.panel_b);
+  return fmt::format("{}, not proven", result.motion_kind);
+}
+
+void print_result(const Session& session, const std::string& folder, const CraftResult& result) {
+  session.print(fmt::format("net        {} panels, {} {}, {}\n", result.verdict.panels, result.verdict.parts,
+                            result.verdict.parts == 1 ? "part" : "parts",
+                            result.verdict.valid() ? "verified free of overlap" : "NOT verified"));
+  session.print(fmt::format("motion     {}\n", motion_text(result)));
+  session.print(human(result.sheet.report));
+  session.print(fmt::format("files      {}: ", folder));
+  for (const CraftFile& file : result.files) session.print(fmt::format("{} ", file.name));
+  session.print("\n");
+}
+
+int craft_file(const CraftArgs& args, Session& session) {
+  const std::string folder = session.output_folder(stem(args.mesh));
+  const Mesh mesh = to_mesh(read_mesh_source(session.read(args.mesh), args.mesh));
+  const CraftResult result = craft(mesh, craft_options(args, session), session.run());
+  for (const CraftFile& file : result.files) session.write(folder + "/" + file.name, file.bytes);
+  session.report()["craft"] = craft_report(mesh, result);
+  print_result(session, folder, result);
+  for (const Defect& defect : result.verdict.defects) session.warn(defect.message);
+  for (const std::string& problem : result.sheet_verdict.problems) session.warn(problem);
+  if (!result.sound()) return kInternal;
+  return Session::exit_code(result.ending);
+}
+
+}  // namespace
+
+Command craft_command() {
+  auto args = std::make_shared<CraftArgs>();
+  Command command("craft", "From a mesh to printable pages, a net that folds and a page that shows it, in one folder");
+  command.example("plico craft bird.obj -o bird", "pages, cut files, the folding net and index.html in the folder bird")
+      .example("plico craft bird.obj --height 20cm --page A3 -o bird", "20 cm tall, on A3")
+      .example("plico craft bird.obj --foldable none --split -o bird", "any net, cut where it does not fit a page")
+      .positional("mesh", "OBJ, OFF, STL or PLY file; '-' is standard input", args->mesh)
+      .choice("--foldable", "look for a net whose linear or uniform motion is proven free of collision", args->foldable,
+              {"linear", "uniform", "none"});
+  add_print_options(command, args->print);
+  command.action([args](Session& session) { return craft_file(*args, session); });
+  return command;
+}
+
+}  // namespace plico::cli

@@ -1,0 +1,152 @@
+#include "plico/workflow/craft.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "plico/base/error.h"
+#include "plico/base/version.h"
+#include "plico/io/dxf.h"
+#include "plico/io/fold.h"
+#include "plico/io/pdf.h"
+#include "plico/io/svg.h"
+#include "plico/io/viewer.h"
+#include "plico/mesh/measures.h"
+
+namespace plico {
+namespace {
+
+constexpr int kMediumMesh = 300;  // faces
+
+std::string_view word(FoldingLaw law) { return law == FoldingLaw::Linear ? "linear" : "uniform"; }
+
+// A net that folds by the law asked for replaces the one found without regard to motion.
+bool find_net_that_folds(const Mesh& mesh, const CraftOptions& options, const Run& run, CraftResult& result) {
+  if (!options.law || result.verdict.parts != 1 || mesh.num_faces() < 2) return false;
+  run.report("looking for a net that folds", 0);
+  // Larger meshes pay more for a step: the steps allowed fall with the faces, the time stays about the same.
+  const long steps = options.foldable_steps * kMediumMesh / std::max(mesh.num_faces(), kMediumMesh);
+  FoldableNet found =
+      find_foldable_net(mesh, {.seed = options.unfold.search.seed, .law = *options.law, .max_steps = steps}, run);
+  if (found.ending != Ending::Found) return false;
+  result.net = lay_flat(mesh, found.tree);
+  const MotionMethod method = *options.law == FoldingLaw::Linear ? MotionMethod::Linear : MotionMethod::Uniform;
+  result.motion = Motion{method, std::move(found.path), found.proof};
+  result.motion_kind = word(*options.law);
+  return true;
+}
+
+void find_motion(const CraftOptions& options, const Run& run, CraftResult& result) {
+  const Linkage linkage = linkage_of(result.net);
+  if (linkage.num_hinges() == 0) return;
+  run.report("planning a motion", 0);
+  MotionOutcome planned =
+      plan_motion(linkage, {.seed = options.unfold.search.seed}, limited(run, options.planning_seconds));
+  result.motion = std::move(planned.motions.front());
+  const MotionMethod method = result.motion->method;
+  result.motion_kind = method == MotionMethod::Linear    ? "linear"
+                       : method == MotionMethod::Uniform ? "uniform"
+                                                         : "planned";
+}
+
+std::string fold_text(const Mesh& mesh, const CraftOptions& options, const CraftResult& result) {
+  FoldFile file = fold_file(mesh, result.net);
+  file.report = options.made_by;
+  if (result.motion) set_path(file, linkage_of(result.net), result.motion->path);
+  return write_fold(file);
+}
+
+ProofStatus status_of(const PathProof& proof) {
+  switch (proof.verdict) {
+    case PathVerdict::Free:
+      return ProofStatus::Proven;
+    case PathVerdict::Collides:
+      return ProofStatus::Collides;
+    case PathVerdict::Undecided:
+      break;
+  }
+  return ProofStatus::Undecided;
+}
+
+std::string page_text(const CraftOptions& options, const CraftResult& result, const nlohmann::json& report) {
+  ViewerInput page;
+  page.title = options.name;
+  page.linkage = linkage_of(result.net);
+  page.report = report.dump();
+  if (result.motion) {
+    const PathProof& proof = result.motion->proof;
+    page.path = result.motion->path;
+    page.motion = result.motion_kind;
+    page.proof = status_of(proof);
+    page.proof_note =
+        fmt::format("{} pairs of panels examined over {} intervals of time", proof.pair_intervals, proof.intervals);
+    if (proof.verdict == PathVerdict::Collides)
+      page.collisions.push_back({proof.from, proof.to, proof.panel_a, proof.panel_b});
+  }
+  for (const CraftFile& file : result.files) page.links.emplace_back(file.name, file.name);
+  return viewer_page(page);
+}
+
+void add_pages(const CraftOptions& options, CraftResult& result) {
+  DrawOptions how = options.draw;
+  if (how.title.empty()) how.title = options.name;
+  const std::vector<Drawing> pages = draw(result.sheet.sheet, how);
+  result.files.push_back({options.name + ".pdf", write_pdf(pages, how.title, fmt::format("plico {}", version()))});
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    const std::string stem = pages.size() == 1 ? options.name : fmt::format("{}-{}", options.name, i + 1);
+    result.files.push_back({stem + ".svg", write_svg(pages[i])});
+    result.files.push_back({stem + ".dxf", write_dxf(pages[i])});
+  }
+}
+
+}  // namespace
+
+CraftResult craft(const Mesh& mesh, const CraftOptions& options, const Run& run) {
+  CraftResult result;
+  UnfoldOutcome unfolded = unfold_mesh(mesh, options.unfold, run);
+  result.ending = unfolded.ending;
+  result.net = std::move(unfolded.unfolding);
+  result.verdict = std::move(unfolded.verdict);
+  if (find_net_that_folds(mesh, options, run, result))
+    result.verdict = verify_net(result.net, mesh);
+  else
+    find_motion(options, run, result);
+  run.report("laying out pages", 0);
+  SheetOptions sheet = options.sheet;
+  sheet.size.fill_page = true;
+  result.sheet = make_sheet(result.net, folded_shape(mesh), sheet);
+  result.sheet_verdict = verify_sheet(result.sheet.sheet);
+  add_pages(options, result);
+  result.files.push_back({options.name + ".fold", fold_text(mesh, options, result)});
+  const nlohmann::json report = craft_report(mesh, result);
+  result.files.push_back({"report.json", report.dump(2) + "\n"});
+  result.files.push_back({"index.html", page_text(options, result, report)});
+  return result;
+}
+
+nlohmann::json craft_report(const Mesh& mesh, const CraftResult& result) {
+  const SheetReport& sheet = result.sheet.report;
+  nlohmann::json report = {
+      {"faces", mesh.num_faces()},
+      {"components", components(mesh).count},
+      {"ending", name(result.ending)},
+      {"parts", result.verdict.parts},
+      {"net_verified", result.verdict.valid()},
+      {"overlaps", result.verdict.overlaps.count},
+      {"pages", sheet.pages},
+      {"size_mm", {sheet.final_size.x(), sheet.final_size.y(), sheet.final_size.z()}},
+      {"scale_mm_per_unit", sheet.scale},
+      {"fill_ratio", sheet.fill_ratio},
+      {"tabs", sheet.tabs.tabs.size()},
+      {"seams_without_tab", sheet.tabs.omitted + sheet.tabs.short_seams},
+      {"pages_verified", result.sheet_verdict.sound()},
+  };
+  if (result.motion)
+    report["motion"] = {{"kind", result.motion_kind},
+                        {"verdict", name(result.motion->proof.verdict)},
+                        {"waypoints", result.motion->path.waypoints.size()}};
+  return report;
+}
+
+}  // namespace plico

@@ -1,0 +1,58 @@
+// The main job: from a mesh to everything one needs to hold it in hand. Unfold, judge, find a motion and prove it, lay
+// out pages, draw them, and make a page that shows it all.
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "plico/fabricate/fabricate.h"
+#include "plico/io/drawing.h"
+#include "plico/verify/sheet.h"
+#include "plico/workflow/foldable_net.h"
+#include "plico/workflow/plan_motion.h"
+#include "plico/workflow/unfold_mesh.h"
+
+namespace plico {
+
+struct CraftOptions {
+  std::string name = "model";  // of the model: titles and file names
+  std::string made_by;         // a JSON object for the key plico:report of the FOLD file; may be empty
+  // A net that folds with all creases moving by this law is looked for, trying at most this many branches from each
+  // start (for meshes of up to 300 faces, fewer for larger ones; a count, so that the same seed gives the same files).
+  // When none is found, or none is wanted, a motion is planned for the net at hand.
+  std::optional<FoldingLaw> law = FoldingLaw::Linear;
+  long foldable_steps = 300'000;
+  double planning_seconds = 10;
+  UnfoldOptions unfold;
+  SheetOptions sheet;
+  DrawOptions draw;
+};
+
+struct CraftFile {
+  std::string name, bytes;
+};
+
+struct CraftResult {
+  Ending ending = Ending::Exhausted;  // of the search for a net: Found is one net for every component
+  Unfolding net;
+  NetVerdict verdict;
+  std::optional<Motion> motion;  // the best that was found, proven or not; none for a net of one panel
+  std::string motion_kind;       // "linear", "uniform", "planned"; empty without a motion
+  SheetResult sheet;
+  SheetVerdict sheet_verdict;
+  // NAME.pdf, NAME.svg (NAME-1.svg, ... for several pages), NAME.dxf, NAME.fold (with the motion), index.html,
+  // report.json
+  std::vector<CraftFile> files;
+
+  bool proven() const { return motion && motion->proof.verdict == PathVerdict::Free; }
+  bool sound() const { return verdict.valid() && sheet_verdict.sound(); }
+};
+
+CraftResult craft(const Mesh& mesh, const CraftOptions& options = {}, const Run& run = {});
+
+// What there is to say about it, as shown on the page and written to report.json. No times: the same answer has the
+// same bytes.
+nlohmann::json craft_report(const Mesh& mesh, const CraftResult& result);
+
+}  // namespace plico
