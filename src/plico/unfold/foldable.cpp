@@ -11,14 +11,20 @@
 namespace plico {
 namespace {
 
+constexpr double kHotter = 6;          // every other lane: some meshes want large steps, most do not
 constexpr long kStepsPerRound = 4000;  // between two looks of the lanes at each other
 
 // One annealing search from one start.
 class Lane {
  public:
   Lane(const FlatFaces& faces, FoldForest start, std::unique_ptr<MotionCost> cost, const FoldableOptions& options,
-       Rng rng)
-      : mesh_(faces.mesh()), tree_(faces, start), motion_(std::move(cost)), options_(options), rng_(rng) {
+       double hottest, Rng rng)
+      : mesh_(faces.mesh()),
+        tree_(faces, start),
+        motion_(std::move(cost)),
+        options_(options),
+        hottest_(hottest),
+        rng_(rng) {
     motion_->reset(start);
     keep_best();
   }
@@ -79,7 +85,7 @@ class Lane {
   double temperature() const {
     const double period = static_cast<double>(options_.steps_per_cooling) * mesh_.num_faces();
     const double cooled = std::fmod(static_cast<double>(steps_), period) / period;
-    return options_.temperature * (1 - cooled) * (1 - cooled);
+    return hottest_ * (1 - cooled) * (1 - cooled);
   }
 
   void step() {
@@ -144,6 +150,7 @@ class Lane {
   DualTree tree_;
   std::unique_ptr<MotionCost> motion_;
   const FoldableOptions& options_;
+  double hottest_;
   Rng rng_;
   std::vector<int> between_, sides_;
   FoldForest best_;
@@ -174,8 +181,10 @@ FoldableResult find_foldable_net(const Mesh& mesh, const std::function<FoldFores
   const FlatFaces faces(mesh);
   const Rng rng(options.seed);
   std::vector<std::unique_ptr<Lane>> lanes(options.lanes);
-  parallel_for(run, options.lanes,
-               [&](int i) { lanes[i] = std::make_unique<Lane>(faces, start(i), new_cost(), options, rng.stream(i)); });
+  parallel_for(run, options.lanes, [&](int i) {
+    lanes[i] = std::make_unique<Lane>(faces, start(i), new_cost(), options, options.temperature * (i % 2 ? kHotter : 1),
+                                      rng.stream(i));
+  });
   const auto better = [](const auto& a, const auto& b) {
     return std::pair(!a->found(), a->best_energy()) < std::pair(!b->found(), b->best_energy());
   };

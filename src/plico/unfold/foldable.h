@@ -36,7 +36,7 @@ class MotionCost {
 
 struct FoldableOptions {
   std::uint64_t seed = 1;       // same mesh, same options: same result for every thread count, if allowed to finish
-  int lanes = 2;                // searches side by side, from different starts; at least 1
+  int lanes = 2;                // searches side by side; every other one runs six times as hot; at least 1
   int overlap_weight = 4;       // of an overlap of flat panels, against one colliding pair at one sample; at least 1
   double temperature = 1.5;     // at the start of a cooling: worse by this much is accepted with probability 1/e; > 0
   int steps_per_cooling = 60;   // times the number of faces; then it is warmed up again; at least 1
