@@ -74,14 +74,14 @@ int DualTree::weight(int a, int b) const {
   return 1;
 }
 
-void DualTree::aggravate(int a, int b) {
+void DualTree::aggravate(int a, int b, int by) {
   const auto [low, high] = std::minmax(a, b);
   for (auto& [panel, weight] : heavy_[low])
     if (panel == high) {
-      ++weight;
+      weight += by;
       return;
     }
-  heavy_[low].emplace_back(high, 2);
+  heavy_[low].emplace_back(high, 1 + by);
 }
 
 void DualTree::drop_partner(int panel, int partner) {

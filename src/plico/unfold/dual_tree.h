@@ -33,8 +33,8 @@ class DualTree {
   std::span<const int> gather(int panel);
   bool gathered(int panel) const { return mark_[panel] == stamp_; }  // by the last gather()
 
-  // Makes the overlap of two panels count one more in the two functions below (breakout, Morris 1993).
-  void aggravate(int a, int b);
+  // Makes the overlap of two panels count `by` more in the two functions below (breakout, Morris 1993); 1 at first.
+  void aggravate(int a, int b, int by);
 
   // Weighted overlaps between the gathered subtree and the rest: as it lies, and as it would lie hung by its halfedge
   // `side` to the panel across, which is not gathered. Stops counting at `limit`. Adds the panels looked at to

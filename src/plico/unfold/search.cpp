@@ -29,7 +29,11 @@ struct Hanging {
 };
 
 // A step gives up when this many times `effort` panels were looked at and no hanging was found.
-constexpr int kPatience = 5;
+constexpr int kPatience = 3;
+// A pair that resists weighs this much more each time: enough to be traded for several new overlaps, which are easier.
+constexpr int kWeightStep = 20;
+// Sides tried at least, however large the subtree.
+constexpr int kFewestSides = 8;
 
 // The search within one connected mesh.
 class Search {
@@ -71,7 +75,7 @@ class Search {
                                             : options_.effort;
       if (looked > enough || try_hangings(panel, best, looked)) break;
     }
-    if (best.change == 0) tree_.aggravate(a, b);
+    if (best.change == 0) tree_.aggravate(a, b, kWeightStep);
     if (best.panel < 0) return;
     tree_.gather(best.panel);
     tabu_until_[mesh_.edge(HalfedgeId(tree_.parent_side(best.panel)))] =
@@ -97,7 +101,7 @@ class Search {
     const auto subtree = tree_.gather(panel);
     const int before = tree_.overlaps_with_rest();
     collect_sides(subtree, tree_.parent_side(panel));
-    choose_some(std::max(4, options_.effort / static_cast<int>(subtree.size())));
+    choose_some(std::max(kFewestSides, options_.effort / static_cast<int>(subtree.size())));
     for (int side : sides_) {
       if (before + best.change < 0) return false;
       const int change = tree_.overlaps_if_hung(side, before + best.change + 1, looked) - before;

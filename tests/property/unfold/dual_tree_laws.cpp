@@ -74,9 +74,9 @@ TEST(DualTreeLaw, AnAggravatedPairCountsMore) {
   if (tree.parent(lower) < 0) lower = lower == a ? b : a;
   tree.gather(lower);
   const int before = tree.overlaps_with_rest();
-  tree.aggravate(a, b);
-  tree.aggravate(a, b);
-  EXPECT_EQ(tree.overlaps_with_rest(), before + 2);
+  tree.aggravate(a, b, 3);
+  tree.aggravate(a, b, 4);
+  EXPECT_EQ(tree.overlaps_with_rest(), before + 7);
   EXPECT_EQ(tree.num_overlaps(), static_cast<int>(pairs_of(tree).size()));
 }
 
