@@ -110,7 +110,8 @@ int unfold_file(UnfoldArgs& args, Session& session) {
   report_outcome(session, mesh, args, outcome);
   say_outcome(session, mesh, outcome);
   if (!outcome.verified()) return kInternal;
-  if (outcome.ending == Ending::TimedOut) session.repeat_with("--max-steps", std::to_string(outcome.steps));
+  if (outcome.ending == Ending::TimedOut)
+    session.repeat_with(args.options.evolve ? "--max-generations" : "--max-steps", std::to_string(outcome.steps));
   FoldFile file = fold_file(mesh, outcome.unfolding);
   file.report = session.provenance().dump();
   const std::string bytes = write_fold(file);
@@ -134,6 +135,8 @@ Command unfold_command() {
               args->foldable, {"none", "linear", "uniform"})
       .choice("--method", "how the spanning tree is found", args->method, unfold_methods())
       .option("--directions", "N", "random directions tried by a heuristic method", args->options.directions)
+      .option("--max-generations", "N", "generations of the genetic search (--method eu)",
+              args->options.evolution.max_generations)
       .option("--starts", "N", "grown trees of which the search takes the best", search.starts)
       .option("--effort", "N", "panels looked at in one step of the search", search.effort)
       .option("--max-steps", "N", "steps of the search; -1: 10,000 and 100 more a face", args->max_steps)

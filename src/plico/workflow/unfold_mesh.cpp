@@ -31,18 +31,43 @@ void classic(const Mesh& mesh, const UnfoldOptions& options, const Run& run, Unf
   outcome.start_overlaps = found.overlaps;
 }
 
+EvolveOptions evolve_options(const UnfoldOptions& options) {
+  EvolveOptions evolution = options.evolution;
+  evolution.seed = options.search.seed;
+  return evolution;
+}
+
+void evolve(const Mesh& mesh, const UnfoldOptions& options, const Run& run, UnfoldOutcome& outcome) {
+  EvolveResult found = evolve_net(mesh, evolve_options(options), run);
+  outcome.ending = found.ending;
+  outcome.forest = std::move(found.forest);
+  outcome.steps = found.generations;
+  outcome.start_overlaps = found.start_overlaps;
+  outcome.in_the_way = std::move(found.in_the_way);
+}
+
+void find_forest(const Mesh& mesh, const UnfoldOptions& options, const Run& run, UnfoldOutcome& outcome) {
+  if (options.heuristic)
+    classic(mesh, options, run, outcome);
+  else if (options.evolve)
+    evolve(mesh, options, run, outcome);
+  else
+    search(mesh, options, run, outcome);
+}
+
 }  // namespace
 
 void check(const UnfoldOptions& options) {
   check(options.search);
   if (options.heuristic) check(ClassicOptions{options.search.seed, *options.heuristic, options.directions});
+  if (options.evolve) check(evolve_options(options));
 }
 
 UnfoldOutcome unfold_mesh(const Mesh& mesh, const UnfoldOptions& options, const Run& run) {
   check(options);
   UnfoldOutcome outcome;
   const auto start = Run::Clock::now();
-  options.heuristic ? classic(mesh, options, run, outcome) : search(mesh, options, run, outcome);
+  find_forest(mesh, options, run, outcome);
   outcome.search_seconds = seconds_since(start);
   const auto found = Run::Clock::now();
   outcome.unfolding = lay_flat(mesh, outcome.forest);
@@ -54,14 +79,15 @@ UnfoldOutcome unfold_mesh(const Mesh& mesh, const UnfoldOptions& options, const 
 }
 
 std::vector<std::string> unfold_methods() {
-  std::vector<std::string> names{"search"};
+  std::vector<std::string> names{"search", "eu"};
   for (Heuristic heuristic : kHeuristics) names.emplace_back(name(heuristic));
   return names;
 }
 
 void set_method(UnfoldOptions& options, std::string_view method) {
   options.heuristic.reset();
-  if (method == "search") return;
+  options.evolve = method == "eu";
+  if (method == "search" || method == "eu") return;
   const auto* at = std::find_if(kHeuristics.begin(), kHeuristics.end(), [&](Heuristic h) { return name(h) == method; });
   if (at == kHeuristics.end()) throw InvalidOption(fmt::format("method {} is not known", method));
   options.heuristic = *at;

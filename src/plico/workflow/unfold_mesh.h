@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "plico/fold/unfolding.h"
+#include "plico/unfold/evolve.h"
 #include "plico/unfold/heuristics.h"
 #include "plico/unfold/search.h"
 #include "plico/verify/net.h"
@@ -17,6 +18,8 @@ struct UnfoldOptions {
   // Empty: our own search. Otherwise the trees of one classic heuristic, `directions` of them.
   std::optional<Heuristic> heuristic;
   int directions = 20;
+  bool evolve = false;  // EU instead of our own search, by `evolution`; `heuristic` must be empty
+  EvolveOptions evolution;
   SearchOptions search;  // its seed serves every method
 };
 void check(const UnfoldOptions& options);  // throws InvalidOption
@@ -26,7 +29,7 @@ struct UnfoldOutcome {
   FoldForest forest;
   Unfolding unfolding;
   NetVerdict verdict;
-  long steps = 0;                               // of the search
+  long steps = 0;                               // of the search; generations of EU
   int start_overlaps = 0;                       // pairs, in the trees the method set out from
   bool proven_impossible = false;               // no net exists
   std::vector<std::pair<int, int>> in_the_way;  // mesh faces that had to be cut apart
