@@ -180,7 +180,7 @@ function listen(): void {
 fillHeader();
 fillReport();
 listen();
-show();
+player.set(data.start);
 window.plico = {
   positions: () => model.positions(player.time),
   time: () => player.time,

@@ -13,6 +13,7 @@ export interface PageData {
   seams: [number, number, number, number][]; // panel, side, panel, side
   keys: { times: number[]; angles: number[] }[]; // of each hinge, radians; linear in between
   motion: string;
+  start: number; // the moment shown first, in [0, 1]
   proof: { status: 'proven' | 'collides' | 'undecided' | 'unchecked'; note: string };
   collisions: { begin: number; end: number; panels: [number, number] }[];
   report: Record<string, unknown> | null;

@@ -1,5 +1,6 @@
 #include "plico/io/viewer.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
@@ -68,6 +69,7 @@ void add_motion(Json& data, const ViewerInput& input) {
     data["keys"].push_back({{"times", std::move(times)}, {"angles", std::move(angles)}});
   }
   data["motion"] = input.motion;
+  data["start"] = std::clamp(input.start, 0.0, 1.0);
 }
 
 const char* word(ProofStatus status) {

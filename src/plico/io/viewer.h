@@ -24,6 +24,7 @@ struct ViewerInput {
   Linkage linkage;   // its flat panels are the drawing of the net
 
   std::optional<FoldingPath> path;  // none: straight from flat to folded
+  double start = 0;                 // the moment shown first, in [0, 1]
   std::string motion;               // "linear", "uniform", "planned"; empty when nobody said
   ProofStatus proof = ProofStatus::Unchecked;
   std::string proof_note;  // one sentence about how it was proven

@@ -74,6 +74,7 @@ std::string page_text(const CraftOptions& options, const CraftResult& result, co
   page.title = options.name;
   page.linkage = linkage_of(result.net);
   page.report = report.dump();
+  page.start = 1;  // the model, beside its net
   if (result.motion) {
     const PathProof& proof = result.motion->proof;
     page.path = result.motion->path;
