@@ -6,6 +6,7 @@
 
 #include "commands.h"
 #include "motion_report.h"
+#include "plico/base/error.h"
 #include "plico/io/fold.h"
 #include "plico/io/mesh_file.h"
 #include "plico/mesh/measures.h"
@@ -19,7 +20,7 @@ namespace {
 using nlohmann::json;
 
 struct UnfoldArgs {
-  std::string mesh, method = "search", foldable = "none";
+  std::string mesh, method = "search", foldable = "none", optimize = "none";
   UnfoldOptions options;
   int max_steps = -1;
 };
@@ -29,6 +30,24 @@ std::string faces_in_the_way(const UnfoldOutcome& outcome) {
   for (std::size_t i = 0; i < std::min<std::size_t>(outcome.in_the_way.size(), 5); ++i)
     text += fmt::format("{}{}-{}", i ? ", " : "", outcome.in_the_way[i].first, outcome.in_the_way[i].second);
   return text + (outcome.in_the_way.size() > 5 ? ", ..." : "");
+}
+
+json features_json(const NetFeatures& features) {
+  return {{"cut_length", features.cut_length},
+          {"hull_area", features.hull_area},
+          {"box_area", features.box_area},
+          {"longest_branch", features.longest_branch}};
+}
+
+std::string gain(double before, double after) {
+  return fmt::format("{:.3g} to {:.3g} ({:+.0f} %)", before, after, before > 0 ? 100 * (after / before - 1) : 0.0);
+}
+
+void say_gain(const Session& session, const UnfoldOutcome& outcome) {
+  const NetFeatures &first = outcome.first, &best = outcome.best;
+  session.say(fmt::format("optimized in {:.3g} s: cut length {}, hull area {}, page area {}", outcome.optimize_seconds,
+                          gain(first.cut_length, best.cut_length), gain(first.hull_area, best.hull_area),
+                          gain(first.box_area, best.box_area)));
 }
 
 void report_outcome(Session& session, const Mesh& mesh, const UnfoldArgs& args, const UnfoldOutcome& outcome) {
@@ -42,6 +61,12 @@ void report_outcome(Session& session, const Mesh& mesh, const UnfoldArgs& args, 
   report["start_overlaps"] = outcome.start_overlaps;
   report["proven_impossible"] = outcome.proven_impossible;
   report["in_the_way"] = outcome.in_the_way;
+  if (args.options.optimize) {
+    report["optimize"] = args.optimize;
+    report["first_net"] = features_json(outcome.first);
+    report["net"] = features_json(outcome.best);
+    report["optimize_seconds"] = outcome.optimize_seconds;
+  }
   report["verified"] = outcome.verified();
   report["overlaps"] = outcome.verdict.overlaps.count;
   report["congruence_error"] = outcome.verdict.congruence_error;
@@ -56,6 +81,7 @@ void say_outcome(const Session& session, const Mesh& mesh, const UnfoldOutcome& 
                           parts, parts == 1 ? "part" : "parts",
                           outcome.verified() ? "verified free of overlap" : "NOT verified", outcome.search_seconds,
                           outcome.verify_seconds));
+  if (outcome.best.cut_length > 0) say_gain(session, outcome);
   for (const Defect& defect : outcome.verdict.defects) session.warn(defect.message);
   if (outcome.ending == Ending::Found) return;
   if (outcome.proven_impossible) {
@@ -102,6 +128,9 @@ int unfold_file(UnfoldArgs& args, Session& session) {
   set_method(args.options, args.method);
   args.options.search.seed = session.seed();
   args.options.search.max_steps = args.max_steps;
+  if (args.optimize != "none") args.options.optimize = OptimizeOptions{.weights = weights_for(args.optimize)};
+  if (args.optimize != "none" && args.foldable != "none")
+    throw InvalidOption("optimize cannot be combined with foldable: a net that folds is not changed afterwards");
   check(args.options);
   const std::vector<std::string> outputs = session.outputs("-");
   const Mesh mesh = to_mesh(read_mesh_source(session.read(args.mesh), args.mesh));
@@ -134,6 +163,8 @@ Command unfold_command() {
       .choice("--foldable", "search a net whose linear or uniform motion is proven free, and write that motion too",
               args->foldable, {"none", "linear", "uniform"})
       .choice("--method", "how the spanning tree is found", args->method, unfold_methods())
+      .choice("--optimize", "make the net better: cut it less, or let it need a smaller hull or page", args->optimize,
+              {"none", "cut-length", "hull-area", "page"})
       .option("--directions", "N", "random directions tried by a heuristic method", args->options.directions)
       .option("--max-generations", "N", "generations of the genetic search (--method eu)",
               args->options.evolution.max_generations)

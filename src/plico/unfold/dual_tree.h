@@ -31,6 +31,7 @@ class DualTree {
 
   // The panels of the subtree under `panel`, that one first, each after its parent. Valid until the next call.
   std::span<const int> gather(int panel);
+  std::span<const int> branch() const { return subtree_; }           // the same, again
   bool gathered(int panel) const { return mark_[panel] == stamp_; }  // by the last gather()
 
   // Makes the overlap of two panels count `by` more in the two functions below (breakout, Morris 1993); 1 at first.
@@ -42,6 +43,9 @@ class DualTree {
   int overlaps_with_rest() const;
   int overlaps_if_hung(int side, int limit, long& looked) const;
 
+  // How the gathered subtree would move if it were hung by `side`.
+  Motion2 motion_for(int side) const;
+
   // Cuts the gathered subtree off and hangs it by `side`. O(subtree + depth).
   void hang(int side);
 
@@ -50,7 +54,6 @@ class DualTree {
 
  private:
   int face_across(int halfedge) const { return mesh().face(mesh().twin(HalfedgeId(halfedge))); }
-  Motion2 motion_for(int side) const;
   void lay(const FoldForest& forest);
   void find_all_overlaps();
   void add_pair(int a, int b);

@@ -152,7 +152,7 @@ Start best_start(const FlatFaces& faces, const SearchOptions& options, const Rng
   parallel_for(run, options.starts, [&](int i) {
     if (i > 0 && run.over()) return;
     Rng own = rng.stream(i);
-    const Heuristic heuristic = kGrowBy[i % kGrowBy.size()];
+    const Heuristic heuristic = options.grow_by.value_or(kGrowBy[i % kGrowBy.size()]);
     const Vec3 direction = random_direction(own);
     const auto weights = dual_weights(faces.mesh(), heuristic, direction, own);
     starts[i].tree = grow_tree(faces, weights, own.below(faces.mesh().num_faces()));

@@ -4,21 +4,24 @@
 // cut.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "plico/base/run.h"
 #include "plico/fold/unfolding.h"
 #include "plico/mesh/mesh.h"
+#include "plico/unfold/heuristics.h"
 
 namespace plico {
 
 struct SearchOptions {
-  std::uint64_t seed = 1;  // same mesh, same options: same result on every machine and thread count
-  int starts = 2;          // grown trees of which the one with the fewest overlaps is taken; at least 1
-  int tabu_tenure = 12;    // steps for which a fold just cut is not made again, at least, and less than twice that
-  int effort = 400;        // panels looked at in a step before the best hanging found so far is taken; at least 1
-  long max_steps = -1;     // -1: 10,000 and 100 more a panel, for each component
+  std::uint64_t seed = 1;                 // same mesh, same options: same result on every machine and thread count
+  int starts = 2;                         // grown trees of which the one with the fewest overlaps is taken; at least 1
+  std::optional<Heuristic> grow_by = {};  // of all starts; empty: they take turns, minimum-perimeter first
+  int tabu_tenure = 12;  // steps for which a fold just cut is not made again, at least, and less than twice that
+  int effort = 400;      // panels looked at in a step before the best hanging found so far is taken; at least 1
+  long max_steps = -1;   // -1: 10,000 and 100 more a panel, for each component
 };
 void check(const SearchOptions& options);  // throws InvalidOption naming field, value and range
 

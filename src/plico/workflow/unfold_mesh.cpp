@@ -4,6 +4,8 @@
 #include <chrono>
 
 #include "plico/base/error.h"
+#include "plico/base/rng.h"
+#include "plico/unfold/by_component.h"
 #include "plico/unfold/classic.h"
 
 namespace plico {
@@ -55,10 +57,31 @@ void find_forest(const Mesh& mesh, const UnfoldOptions& options, const Run& run,
     search(mesh, options, run, outcome);
 }
 
+void add(NetFeatures& sum, const NetFeatures& one) {
+  sum.cut_length += one.cut_length;
+  sum.hull_area += one.hull_area;
+  sum.box_area += one.box_area;
+  sum.longest_branch += one.longest_branch;
+}
+
+void optimize(const Mesh& mesh, const UnfoldOptions& options, const Run& run, UnfoldOutcome& outcome) {
+  outcome.forest = by_component(mesh, [&](const Submesh& part, int c) {
+    FoldForest net{std::vector<char>(part.mesh.num_edges(), 0)};
+    for (EdgeId e : part.mesh.edges()) net.is_fold[e] = outcome.forest.is_fold[part.edge[e]];
+    OptimizeOptions own = *options.optimize;
+    own.seed = Rng(options.search.seed).stream(c).next();
+    OptimizeResult better = optimize_net(part.mesh, net, own, run);
+    add(outcome.first, better.before);
+    add(outcome.best, better.after);
+    return std::move(better.forest);
+  });
+}
+
 }  // namespace
 
 void check(const UnfoldOptions& options) {
   check(options.search);
+  if (options.optimize) check(*options.optimize);
   if (options.heuristic) check(ClassicOptions{options.search.seed, *options.heuristic, options.directions});
   if (options.evolve) check(evolve_options(options));
 }
@@ -69,6 +92,9 @@ UnfoldOutcome unfold_mesh(const Mesh& mesh, const UnfoldOptions& options, const 
   const auto start = Run::Clock::now();
   find_forest(mesh, options, run, outcome);
   outcome.search_seconds = seconds_since(start);
+  const auto searched = Run::Clock::now();
+  if (options.optimize && outcome.ending == Ending::Found) optimize(mesh, options, run, outcome);
+  outcome.optimize_seconds = seconds_since(searched);
   const auto found = Run::Clock::now();
   outcome.unfolding = lay_flat(mesh, outcome.forest);
   // The judge is never cut short: whatever is returned has been judged.

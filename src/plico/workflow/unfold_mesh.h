@@ -9,6 +9,7 @@
 #include "plico/fold/unfolding.h"
 #include "plico/unfold/evolve.h"
 #include "plico/unfold/heuristics.h"
+#include "plico/unfold/optimize.h"
 #include "plico/unfold/search.h"
 #include "plico/verify/net.h"
 
@@ -20,7 +21,8 @@ struct UnfoldOptions {
   int directions = 20;
   bool evolve = false;  // EU instead of our own search, by `evolution`; `heuristic` must be empty
   EvolveOptions evolution;
-  SearchOptions search;  // its seed serves every method
+  SearchOptions search;                     // its seed serves every method
+  std::optional<OptimizeOptions> optimize;  // the net of every component, once it is found
 };
 void check(const UnfoldOptions& options);  // throws InvalidOption
 
@@ -33,7 +35,8 @@ struct UnfoldOutcome {
   int start_overlaps = 0;                       // pairs, in the trees the method set out from
   bool proven_impossible = false;               // no net exists
   std::vector<std::pair<int, int>> in_the_way;  // mesh faces that had to be cut apart
-  double search_seconds = 0, verify_seconds = 0;
+  NetFeatures first, best;  // sums over the components, before and after `optimize`; zero without it
+  double search_seconds = 0, optimize_seconds = 0, verify_seconds = 0;
 
   bool verified() const { return verdict.valid(); }
 };

@@ -1,0 +1,293 @@
+#include "plico/unfold/optimize.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "plico/base/error.h"
+#include "plico/base/rng.h"
+#include "plico/geom/polygon.h"
+#include "plico/mesh/measures.h"
+#include "plico/unfold/by_component.h"
+#include "plico/unfold/dual_tree.h"
+#include "plico/unfold/heuristics.h"
+#include "plico/unfold/hull_tracker.h"
+#include "plico/unfold/overlap.h"
+#include "plico/unfold/search.h"
+
+namespace plico {
+namespace {
+
+// Temperatures at the start and at the end, times the number of panels: about what one panel changes in f.
+constexpr double kHot = 1.0, kCold = 0.01;
+constexpr long kStepsAPanel = 1500, kMostSteps = 2'000'000;
+// Share of the steps that start from a panel on the hull, when hull or box count; and how far they climb.
+constexpr double kFromHull = 0.4, kClimb = 0.7;
+
+double interior_length(const Mesh& mesh) {
+  double sum = 0;
+  for (EdgeId e : mesh.edges()) sum += mesh.is_boundary(e) ? 0 : length(mesh, e);
+  return sum;
+}
+
+double fold_length(const Mesh& mesh, const FoldForest& forest) {
+  double sum = 0;
+  for (EdgeId e : mesh.edges()) sum += forest.is_fold[e] ? length(mesh, e) : 0;
+  return sum;
+}
+
+double box_area(const std::vector<Vec2>& hull) {
+  const Vec2 size = least_area_rectangle(hull).size;
+  return size.x() * size.y();
+}
+
+int deepest(const DualTree& tree) {
+  int depth = 0;
+  for (int f = 0; f < tree.mesh().num_faces(); ++f) depth = std::max(depth, tree.depth(f));
+  return depth;
+}
+
+NetFeatures features_of(const DualTree& tree, const HullTracker& hull, double cut_length) {
+  return {cut_length, signed_area(hull.hull()), box_area(hull.hull()), static_cast<double>(deepest(tree))};
+}
+
+// f of [Xi17] 5.5, with weights divided by the features of the net to be improved.
+struct Objective {
+  NetFeatures weight;
+
+  Objective(const NetFeatures& w, const NetFeatures& start) {
+    const double sum = w.cut_length + w.hull_area + w.box_area + w.longest_branch;
+    const auto scaled = [&](double one, double value) { return value > 0 ? one / (sum * value) : 0; };
+    weight = {scaled(w.cut_length, start.cut_length), scaled(w.hull_area, start.hull_area),
+              scaled(w.box_area, start.box_area), scaled(w.longest_branch, start.longest_branch)};
+  }
+  double operator()(const NetFeatures& x) const {
+    return weight.cut_length * x.cut_length + weight.hull_area * x.hull_area + weight.box_area * x.box_area +
+           weight.longest_branch * x.longest_branch;
+  }
+  bool needs_hull() const { return weight.hull_area > 0 || weight.box_area > 0; }
+};
+
+struct Candidate {
+  FoldForest net;
+  double value = 0;
+};
+
+bool is_clean(const FlatFaces& faces, const FoldForest& tree) {
+  return overlapping_pairs(faces, lay_panels(faces, tree)).empty();
+}
+
+// One lane: simulated annealing from one net. The best net is looked for once in as many steps as there are panels,
+// where its fresh layout can be checked for the price of a few steps.
+class Annealing {
+ public:
+  Annealing(const FlatFaces& faces, const Objective& objective, Candidate start, Rng rng)
+      : faces_(faces), mesh_(faces.mesh()), objective_(objective), best_(std::move(start)), rng_(rng) {
+    for (EdgeId e : mesh_.edges()) edge_length_.push_back(length(mesh_, e));
+    whole_length_ = interior_length(mesh_);
+  }
+
+  Candidate go(long steps, const Run& run) {
+    const int n = mesh_.num_faces();
+    if (n < 2) return std::move(best_);
+    const long block = std::max(n, 256);
+    for (long done = 0; done < steps; done += block) {
+      if (run.over()) break;
+      if (!tree_) set_out();
+      for (long step = done; step < std::min(steps, done + block); ++step) {
+        const double cooling = static_cast<double>(step) / static_cast<double>(steps);
+        try_one(kHot * std::pow(kCold / kHot, cooling) / n);
+      }
+      keep_if_best();
+    }
+    return std::move(best_);
+  }
+
+ private:
+  void set_out() {
+    tree_ = std::make_unique<DualTree>(faces_, best_.net);
+    hull_ = std::make_unique<HullTracker>(*tree_);
+    now_ = features_of(*tree_, *hull_, whole_length_ - fold_length(mesh_, best_.net));
+    value_ = objective_(now_);
+  }
+
+  void keep_if_best() {
+    if (value_ < best_.value) {
+      FoldForest net = tree_->forest();
+      if (is_clean(faces_, net))
+        best_ = {std::move(net), value_};
+      else
+        tree_.reset();  // rounding of many moves: set out again from the best
+    }
+    if (!tree_) return;
+    const int root = tree_->root();
+    tree_->balance();
+    if (tree_->root() == root || objective_.weight.longest_branch == 0) return;
+    now_.longest_branch = deepest(*tree_);
+    value_ = objective_(now_);
+  }
+
+  // Hangs a branch elsewhere if that overlaps nothing and f grows by no more than chance allows at this temperature.
+  void try_one(double temperature) {
+    const int panel = pick_branch();
+    if (tree_->parent_side(panel) < 0) return;
+    tree_->gather(panel);
+    const int hangs_by = tree_->parent_side(panel), side = pick_side(hangs_by);
+    if (side < 0) return;
+    const double bound = value_ - temperature * std::log(1 - rng_.uniform());
+    NetFeatures next = now_;
+    next.cut_length += edge_length_[mesh_.edge(HalfedgeId(hangs_by))] - edge_length_[mesh_.edge(HalfedgeId(side))];
+    if (objective_.weight.longest_branch > 0) next.longest_branch = deepest_if_hung(side);
+    if (!objective_.needs_hull() && objective_(next) > bound) return;
+    long looked = 0;
+    if (tree_->overlaps_if_hung(side, 1, looked) > 0) return;
+    if (objective_.needs_hull()) {
+      const std::vector<Vec2>& hull = hull_->hull_if_hung(side);
+      next.hull_area = signed_area(hull);
+      if (objective_.weight.box_area > 0) next.box_area = box_area(hull);
+      if (objective_(next) > bound) return;
+    }
+    tree_->hang(side);
+    if (objective_.needs_hull()) hull_->accept();
+    now_ = next;
+    value_ = objective_(now_);
+  }
+
+  int pick_branch() {
+    int panel = rng_.below(mesh_.num_faces());
+    if (!objective_.needs_hull() || rng_.uniform() >= kFromHull) return panel;
+    panel = hull_->panels()[rng_.below(static_cast<int>(hull_->panels().size()))];
+    while (tree_->parent(panel) >= 0 && tree_->parent(tree_->parent(panel)) >= 0 && rng_.uniform() < kClimb)
+      panel = tree_->parent(panel);
+    return panel;
+  }
+
+  // One of the sides by which the gathered branch could hang, all equally likely; -1 when there is none.
+  int pick_side(int hangs_by) {
+    int chosen = -1, seen = 0;
+    for (int f : tree_->branch()) {
+      for (HalfedgeId h : mesh_.halfedges(FaceId(f))) {
+        const HalfedgeId g = mesh_.twin(h);
+        if (!g.valid() || h == hangs_by || tree_->gathered(mesh_.face(g))) continue;
+        if (rng_.below(++seen) == 0) chosen = h;
+      }
+    }
+    return chosen;
+  }
+
+  // The greatest depth if the gathered branch were hung by `side`; the root stays.
+  int deepest_if_hung(int side) {
+    const FaceId beside = mesh_.face(mesh_.twin(HalfedgeId(side)));
+    int depth = 0;
+    for (int f = 0; f < mesh_.num_faces(); ++f)
+      if (!tree_->gathered(f)) depth = std::max(depth, tree_->depth(f));
+    order_.assign(1, {mesh_.face(HalfedgeId(side)), -1, tree_->depth(beside) + 1});
+    for (std::size_t i = 0; i < order_.size(); ++i) {
+      const Placed at = order_[i];
+      depth = std::max(depth, at.depth);
+      for (HalfedgeId h : mesh_.halfedges(FaceId(at.panel))) {
+        const HalfedgeId g = mesh_.twin(h);
+        if (!g.valid()) continue;
+        const int other = mesh_.face(g);
+        if (other == at.from || !tree_->gathered(other)) continue;
+        if (tree_->parent_side(other) == g || tree_->parent_side(at.panel) == h)
+          order_.push_back({other, at.panel, at.depth + 1});
+      }
+    }
+    return depth;
+  }
+
+  struct Placed {
+    int panel, from, depth;
+  };
+
+  const FlatFaces& faces_;
+  const Mesh& mesh_;
+  const Objective& objective_;
+  Candidate best_;
+  Rng rng_;
+  std::vector<double> edge_length_;
+  double whole_length_ = 0;
+  std::unique_ptr<DualTree> tree_;
+  std::unique_ptr<HullTracker> hull_;
+  NetFeatures now_;
+  double value_ = 0;
+  std::vector<Placed> order_;
+};
+
+NetFeatures features(const FlatFaces& faces, const FoldForest& tree) {
+  const DualTree laid(faces, tree);
+  return features_of(laid, HullTracker(laid), interior_length(faces.mesh()) - fold_length(faces.mesh(), tree));
+}
+
+// The given net and those grown afresh, best first. A net grown from long folds is often much better than one bent into
+// shape from a poor one.
+std::vector<Candidate> starts(const FlatFaces& faces, const FoldForest& net, const Objective& objective,
+                              const OptimizeOptions& options, const Run& run) {
+  std::vector<Candidate> all(options.starts + 1, {net, objective(features(faces, net))});
+  parallel_for(run, options.starts, [&](int i) {
+    if (run.over()) return;
+    const SearchOptions search{
+        .seed = Rng(options.seed).stream(i).next(), .starts = 1, .grow_by = Heuristic::MinimumPerimeter};
+    SearchResult found = find_net(faces.mesh(), search, run);
+    if (found.ending != Ending::Found) return;
+    const double value = objective(features(faces, found.forest));
+    all[i + 1] = {std::move(found.forest), value};
+  });
+  std::stable_sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return a.value < b.value; });
+  return all;
+}
+
+}  // namespace
+
+NetFeatures net_features(const Mesh& mesh, const FoldForest& tree) { return features(FlatFaces(mesh), tree); }
+
+double least_cut_length(const Mesh& mesh) {
+  std::vector<double> weights;
+  for (EdgeId e : mesh.edges()) weights.push_back(-length(mesh, e));
+  return interior_length(mesh) - fold_length(mesh, lightest_forest(mesh, weights));
+}
+
+void check(const OptimizeOptions& options) {
+  const NetFeatures& w = options.weights;
+  for (double weight : {w.cut_length, w.hull_area, w.box_area, w.longest_branch})
+    if (!(weight >= 0)) throw InvalidOption(fmt::format("weight = {} must be at least 0", weight));
+  if (!(w.cut_length + w.hull_area + w.box_area + w.longest_branch > 0))
+    throw InvalidOption("weights: at least one must be above 0");
+  if (options.steps < -1) throw InvalidOption(fmt::format("steps = {} must be at least -1", options.steps));
+  if (options.lanes < 1) throw InvalidOption(fmt::format("lanes = {} must be at least 1", options.lanes));
+  if (options.starts < 0) throw InvalidOption(fmt::format("starts = {} must be at least 0", options.starts));
+}
+
+NetFeatures weights_for(std::string_view wish) {
+  if (wish == "cut-length") return {.cut_length = 1};
+  if (wish == "hull-area") return {.hull_area = 1};
+  if (wish == "page") return {.box_area = 1};
+  throw InvalidOption(fmt::format("optimize {} is not known: cut-length, hull-area or page", wish));
+}
+
+OptimizeResult optimize_net(const Mesh& mesh, const FoldForest& net, const OptimizeOptions& options, const Run& run) {
+  check(options);
+  if (count_parts(mesh, net) != 1) throw InvalidInput("optimize/not-a-net", "the forest is not one spanning tree");
+  const FlatFaces faces(mesh);
+  if (!is_clean(faces, net)) throw InvalidInput("optimize/overlap", "the unfolding to be optimized overlaps itself");
+
+  OptimizeResult result;
+  result.before = features(faces, net);
+  const Objective objective(options.weights, result.before);
+  const std::vector<Candidate> from = starts(faces, net, objective, options, run);
+  const long steps = options.steps >= 0 ? options.steps : std::min(kStepsAPanel * mesh.num_faces(), kMostSteps);
+  std::vector<Candidate> lanes(options.lanes);
+  parallel_for(run, options.lanes, [&](int i) {
+    const Candidate& start = from[std::min<std::size_t>(i, from.size() - 1)];
+    lanes[i] = Annealing(faces, objective, start, Rng(options.seed).stream(options.starts + i)).go(steps, run);
+  });
+  const auto best = std::min_element(lanes.begin(), lanes.end(),
+                                     [](const Candidate& a, const Candidate& b) { return a.value < b.value; });
+  result.forest = std::move(best->net);
+  result.after = features(faces, result.forest);
+  if (run.over()) result.ending = run.ending();
+  return result;
+}
+
+}  // namespace plico

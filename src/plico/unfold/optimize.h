@@ -1,0 +1,51 @@
+// Better nets from a valid one: shorter cuts, a smaller hull or page, shorter branches, never an overlap.
+// Source: [Xi17] 5.5, f = sum of w_i x_i; there a genetic search, here simulated annealing over re-hung branches.
+#pragma once
+#include <cstdint>
+#include <string_view>
+
+#include "plico/base/run.h"
+#include "plico/fold/unfolding.h"
+#include "plico/mesh/mesh.h"
+
+namespace plico {
+
+struct NetFeatures {
+  double cut_length = 0;      // of the mesh edges that are cut, each counted once, without the mesh's boundary; units
+  double hull_area = 0;       // of the convex hull; square units
+  double box_area = 0;        // of the least-area rectangle around it; square units
+  double longest_branch = 0;  // panels from the centroid of the tree to the farthest leaf, without the centroid
+};
+
+// Of a spanning tree of a connected mesh, laid flat. O(n log n).
+NetFeatures net_features(const Mesh& mesh, const FoldForest& tree);
+
+// No net of a connected mesh is cut less than this: all interior edges but those of the longest spanning tree of the
+// dual graph. Whether a net reaches it is another matter. O(n log n).
+double least_cut_length(const Mesh& mesh);
+
+struct OptimizeOptions {
+  std::uint64_t seed = 1;  // same mesh, net and options: same result for every thread count, if allowed to finish
+  NetFeatures weights{.cut_length = 1};  // w_i of the features, each taken relative to its value in the given net; >= 0
+  long steps = -1;                       // branches tried by each lane; -1: 1500 a panel, but no more than 2 million
+  int lanes = 2;                         // searches side by side, at least 1
+  int starts = 4;  // nets grown afresh; the lanes set out from the best of these and the given one; at least 0
+};
+void check(const OptimizeOptions& options);  // throws InvalidOption naming field, value and range
+
+// "cut-length", "hull-area" or "page": the weights for one wish. Throws InvalidOption.
+NetFeatures weights_for(std::string_view wish);
+
+struct OptimizeResult {
+  Ending ending = Ending::Found;  // Found: the search took its course; otherwise the best net until then
+  FoldForest forest;              // a net, by no feature sum worse than the given one
+  NetFeatures before, after;
+};
+
+// `net` must be one net of the connected `mesh` without overlap (InvalidInput otherwise). O(1) in cut length and
+// O(branch) in overlaps for a step; hull and box cost O(n) when a branch touches the hull or leaves it, and the longest
+// branch O(n) always. Memory is linear.
+OptimizeResult optimize_net(const Mesh& mesh, const FoldForest& net, const OptimizeOptions& options = {},
+                            const Run& run = {});
+
+}  // namespace plico
