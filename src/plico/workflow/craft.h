@@ -22,7 +22,7 @@ struct CraftOptions {
   // start (for meshes of up to 300 faces, fewer for larger ones; a count, so that the same seed gives the same files).
   // When none is found, or none is wanted, a motion is planned for the net at hand.
   std::optional<FoldingLaw> law = FoldingLaw::Linear;
-  long foldable_steps = 300'000;
+  long foldable_steps = 60'000;
   double planning_seconds = 10;
   UnfoldOptions unfold;
   SheetOptions sheet;
