@@ -15,6 +15,8 @@ namespace {
 
 using Json = nlohmann::json;
 
+constexpr double kMaxCoordinate = 1e30;  // as for meshes: products of six must stay finite
+
 [[noreturn]] void fail(const std::string& code, const std::string& message, const std::string& where,
                        const std::string& suggestion = {}) {
   throw InvalidInput("fold/" + code, message, where, suggestion);
@@ -148,7 +150,12 @@ std::vector<Vec3> points(const Frame& frame, int size = -1) {
     if (!row.is_array() || row.size() < 2 || row.size() > 3)
       fail("coordinates", "a vertex needs 2 or 3 coordinates", frame.entry(key, i));
     Vec3 p(0, 0, 0);
-    for (std::size_t k = 0; k < row.size(); ++k) p[static_cast<int>(k)] = number(row[k], frame, key, i);
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      const double x = number(row[k], frame, key, i);
+      if (std::abs(x) > kMaxCoordinate)
+        fail("number", fmt::format("{} holds {}, must be at most {}", key, x, kMaxCoordinate), frame.entry(key, i));
+      p[static_cast<int>(k)] = x;
+    }
     result.push_back(p);
   }
   return result;

@@ -29,7 +29,7 @@ std::optional<double> first_collision(const Linkage& linkage, const FoldingPath&
 
 TEST(PathLaw, TheProofAgreesWithTenThousandSamples) {
   int free = 0, collided = 0;
-  for (int seed = 1; seed <= 1000; ++seed) {
+  for (int seed = 1; seed <= 300; ++seed) {
     SCOPED_TRACE(seed);
     Rng rng(seed);
     const Linkage linkage = make_linkage(random_triangles(4 + rng.below(4), rng.uniform(0.5, 3.1), rng));
@@ -44,8 +44,8 @@ TEST(PathLaw, TheProofAgreesWithTenThousandSamples) {
     }
     (proof.verdict == PathVerdict::Free ? free : collided)++;
   }
-  EXPECT_GT(free, 100);
-  EXPECT_GT(collided, 100);
+  EXPECT_GT(free, 30);
+  EXPECT_GT(collided, 30);
 }
 
 }  // namespace

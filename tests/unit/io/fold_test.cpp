@@ -196,6 +196,7 @@ TEST(Fold, BadFilesAreNamedByCode) {
   EXPECT_EQ(code_of("{\"file_spec\": 1.2,"), "fold/json");
   EXPECT_EQ(code_of("[]"), "fold/json");
   EXPECT_EQ(code_of("{\"vertices_coords\":[[1e999,0]]}"), "fold/number");
+  EXPECT_EQ(code_of("{\"vertices_coords\":[[0,0],[1,0],[0,-2e30]],\"faces_vertices\":[[0,1,2]]}"), "fold/number");
   EXPECT_EQ(code_of(std::string(200, '[') + std::string(200, ']')), "fold/depth");
   EXPECT_EQ(code_of("{\"file_spec\": 2}"), "fold/version");
   EXPECT_EQ(code_of("{}"), "fold/no-sheet");
