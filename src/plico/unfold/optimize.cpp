@@ -19,10 +19,13 @@ namespace plico {
 namespace {
 
 // Temperatures at the start and at the end, times the number of panels: about what one panel changes in f.
-constexpr double kHot = 1.0, kCold = 0.01;
-constexpr long kStepsAPanel = 1500, kMostSteps = 2'000'000;
+struct Temperatures {
+  double hot, cold;
+};
+constexpr Temperatures kForHull{3, 0.03}, kForLengths{1, 0.01};
+constexpr long kStepsAPanel = 2000, kMostSteps = 600'000;
 // Share of the steps that start from a panel on the hull, when hull or box count; and how far they climb.
-constexpr double kFromHull = 0.4, kClimb = 0.7;
+constexpr double kFromHull = 0.7, kClimb = 0.9;
 
 double interior_length(const Mesh& mesh) {
   double sum = 0;
@@ -90,13 +93,14 @@ class Annealing {
   Candidate go(long steps, const Run& run) {
     const int n = mesh_.num_faces();
     if (n < 2) return std::move(best_);
+    const auto [hot, cold] = objective_.needs_hull() ? kForHull : kForLengths;
     const long block = std::max(n, 256);
     for (long done = 0; done < steps; done += block) {
       if (run.over()) break;
       if (!tree_) set_out();
       for (long step = done; step < std::min(steps, done + block); ++step) {
         const double cooling = static_cast<double>(step) / static_cast<double>(steps);
-        try_one(kHot * std::pow(kCold / kHot, cooling) / n);
+        try_one(hot * std::pow(cold / hot, cooling) / n);
       }
       keep_if_best();
     }
@@ -138,19 +142,21 @@ class Annealing {
     NetFeatures next = now_;
     next.cut_length += edge_length_[mesh_.edge(HalfedgeId(hangs_by))] - edge_length_[mesh_.edge(HalfedgeId(side))];
     if (objective_.weight.longest_branch > 0) next.longest_branch = deepest_if_hung(side);
-    if (!objective_.needs_hull() && objective_(next) > bound) return;
+    if (objective_.needs_hull()) measure(hull_->least_hull_if_hung(side), next);
+    if (objective_(next) > bound) return;
     long looked = 0;
     if (tree_->overlaps_if_hung(side, 1, looked) > 0) return;
-    if (objective_.needs_hull()) {
-      const std::vector<Vec2>& hull = hull_->hull_if_hung(side);
-      next.hull_area = signed_area(hull);
-      if (objective_.weight.box_area > 0) next.box_area = box_area(hull);
-      if (objective_(next) > bound) return;
-    }
+    if (objective_.needs_hull()) measure(hull_->hull_if_hung(side), next);
+    if (objective_(next) > bound) return;
     tree_->hang(side);
     if (objective_.needs_hull()) hull_->accept();
     now_ = next;
     value_ = objective_(now_);
+  }
+
+  void measure(const std::vector<Vec2>& hull, NetFeatures& features) const {
+    features.hull_area = signed_area(hull);
+    if (objective_.weight.box_area > 0) features.box_area = box_area(hull);
   }
 
   int pick_branch() {

@@ -27,9 +27,9 @@ double least_cut_length(const Mesh& mesh);
 struct OptimizeOptions {
   std::uint64_t seed = 1;  // same mesh, net and options: same result for every thread count, if allowed to finish
   NetFeatures weights{.cut_length = 1};  // w_i of the features, each taken relative to its value in the given net; >= 0
-  long steps = -1;                       // branches tried by each lane; -1: 1500 a panel, but no more than 2 million
+  long steps = -1;                       // branches tried by each lane; -1: 2000 a panel, but no more than 600,000
   int lanes = 2;                         // searches side by side, at least 1
-  int starts = 4;  // nets grown afresh; the lanes set out from the best of these and the given one; at least 0
+  int starts = 24;  // nets grown afresh; the lanes set out from the best of these and the given one; at least 0
 };
 void check(const OptimizeOptions& options);  // throws InvalidOption naming field, value and range
 
@@ -43,8 +43,8 @@ struct OptimizeResult {
 };
 
 // `net` must be one net of the connected `mesh` without overlap (InvalidInput otherwise). O(1) in cut length and
-// O(branch) in overlaps for a step; hull and box cost O(n) when a branch touches the hull or leaves it, and the longest
-// branch O(n) always. Memory is linear.
+// O(branch) in overlaps for a step; hull and box cost O(n) when a branch that touches the hull moves and may gain, and
+// the longest branch O(n) always. Memory is linear.
 OptimizeResult optimize_net(const Mesh& mesh, const FoldForest& net, const OptimizeOptions& options = {},
                             const Run& run = {});
 
