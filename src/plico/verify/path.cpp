@@ -23,7 +23,7 @@ struct PlatePair {
   Vec3 direction;  // in that frame: separated the pair when last looked at
 };
 
-// A side on which a pair touched, and until when.
+// The side from which a pair came to touch, and until when it has.
 struct Contact {
   double until;
   Vec3 direction;
@@ -218,22 +218,34 @@ class Proof {
     return false;
   }
 
-  // Plates that touch and then go on on the other side have passed through each other, however thin they are.
+  // Plates that come to touch from one side and go on on the other have passed through each other, however thin they
+  // are: parallel ones never penetrate at any one moment. A contact keeps the side that it was entered from.
   bool same_side(const PlatePair& pair, double start, double end, const Vec3& direction, bool touching) {
     if (!touching && contacts_.empty()) return true;
     const std::pair<int, int> key{pair.a, pair.b};
     const auto last = contacts_.find(key);
-    if (last != contacts_.end() && last->second.until == start && direction.dot(last->second.direction) < 0) {
-      const Separation now = separation(a_start_, b_start_), later = separation(a_end_, b_end_);
-      const bool crossed = lead(a_end_, b_end_, last->second.direction) < -proof_.touch &&
-                           std::abs(now.value) <= 2 * proof_.touch && later.direction.dot(last->second.direction) < 0;
-      if (crossed) return give_up(pair, start, end), true;
-    }
-    if (touching)
-      contacts_[key] = {end, direction};
+    const bool goes_on = last != contacts_.end() && last->second.until == start;
+    const Vec3 side = goes_on ? last->second.direction : touching ? side_at_start(direction) : direction;
+    const bool turned = direction.dot(side) < 0;
+    if (turned && crossed(side)) return give_up(pair, start, end), true;
+    if (touching || turned)
+      contacts_[key] = {end, turned ? side : direction};
     else if (last != contacts_.end())
       contacts_.erase(last);
     return true;
+  }
+
+  // Plates that are clear of each other when a contact begins tell its side; others have no side before `otherwise`.
+  Vec3 side_at_start(const Vec3& otherwise) const {
+    const Separation now = separation(a_start_, b_start_);
+    return now.value > proof_.rounding ? now.direction : otherwise;
+  }
+
+  // Do plates that touch at the start lie beyond touch on the other side at the end?
+  bool crossed(const Vec3& side) const {
+    return lead(a_end_, b_end_, side) < -proof_.touch &&
+           std::abs(separation(a_start_, b_start_).value) <= 2 * proof_.touch &&
+           separation(a_end_, b_end_).direction.dot(side) < 0;
   }
 
   void name_panels(const PlatePair& pair) {
