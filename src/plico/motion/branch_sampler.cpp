@@ -191,9 +191,11 @@ bool BranchSampler::meet(const Sample& sample, std::span<const int> branch, int 
   near_.clear();
   const auto& bound = sample.bounds;
   for (int i = 0; i < static_cast<int>(plates_.size()); ++i) {
-    const bool close = (bound[0][i] <= all.high[0]) & (all.low[0] <= bound[3][i]) & (bound[1][i] <= all.high[1]) &
-                       (all.low[1] <= bound[4][i]) & (bound[2][i] <= all.high[2]) & (all.low[2] <= bound[5][i]);
-    if (close && mark_[plates_[i].panel] != stamp_) near_.push_back(i);
+    // As numbers: six tests without a branch.
+    const int close = int{bound[0][i] <= all.high[0]} & int{all.low[0] <= bound[3][i]} &
+                      int{bound[1][i] <= all.high[1]} & int{all.low[1] <= bound[4][i]} &
+                      int{bound[2][i] <= all.high[2]} & int{all.low[2] <= bound[5][i]};
+    if (close != 0 && mark_[plates_[i].panel] != stamp_) near_.push_back(i);
   }
   const Vec3* corners = moved_.data();
   for (int panel : branch) {
@@ -201,10 +203,10 @@ bool BranchSampler::meet(const Sample& sample, std::span<const int> branch, int 
       const FloatBox box(corners, plates_[i].count);
       const Vec3 normal = motion.linear() * sample.pose[panel].linear().col(2);
       for (int other : near_) {
-        const bool close = (bound[0][other] <= box.high[0]) & (box.low[0] <= bound[3][other]) &
-                           (bound[1][other] <= box.high[1]) & (box.low[1] <= bound[4][other]) &
-                           (bound[2][other] <= box.high[2]) & (box.low[2] <= bound[5][other]);
-        if (!close) continue;
+        const int close = int{bound[0][other] <= box.high[0]} & int{box.low[0] <= bound[3][other]} &
+                          int{bound[1][other] <= box.high[1]} & int{box.low[1] <= bound[4][other]} &
+                          int{bound[2][other] <= box.high[2]} & int{box.low[2] <= bound[5][other]};
+        if (close == 0) continue;
         const int other_panel = plates_[other].panel;
         if (panel == hinge_in && other_panel == hinge_out) continue;
         if (penetrating(sample, i, corners, normal, other) && found(panel, other_panel)) return true;
