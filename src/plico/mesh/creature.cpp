@@ -20,8 +20,8 @@ struct Bone {
   bool is_pair = false;
 };
 
-Bone single(Limb limb) { return {limb, false}; }
-Bone pair(Limb limb) { return {limb, true}; }
+Bone single(const Limb& limb) { return {limb, false}; }
+Bone pair(const Limb& limb) { return {limb, true}; }
 Limb flat(Limb limb, const Vec3& across, double thickness) {
   limb.across = across;
   limb.thickness = thickness;

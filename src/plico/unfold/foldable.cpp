@@ -17,8 +17,8 @@ constexpr long kStepsPerRound = 4000;  // between two looks of the lanes at each
 // One annealing search from one start.
 class Lane {
  public:
-  Lane(const FlatFaces& faces, FoldForest start, std::unique_ptr<MotionCost> cost, const FoldableOptions& options,
-       double hottest, Rng rng)
+  Lane(const FlatFaces& faces, const FoldForest& start, std::unique_ptr<MotionCost> cost,
+       const FoldableOptions& options, double hottest, Rng rng)
       : mesh_(faces.mesh()),
         tree_(faces, start),
         motion_(std::move(cost)),
