@@ -18,7 +18,8 @@ PanelKit kit_of(const Mesh& mesh) {
   for (FaceId f : mesh.faces()) {
     const Vec3 up = normal(mesh, f);
     const HalfedgeId first = *mesh.halfedges(f).begin();
-    const Vec3 origin = mesh.point(mesh.from(first)), x = (mesh.point(mesh.to(first)) - origin).normalized();
+    const Vec3& origin = mesh.point(mesh.from(first));
+    const Vec3 x = (mesh.point(mesh.to(first)) - origin).normalized();
     const Vec3 y = up.cross(x);
     std::vector<Vec2>& outline = kit.outlines.emplace_back();
     for (HalfedgeId h : mesh.halfedges(f)) {

@@ -13,7 +13,6 @@ namespace {
 
 using samples::cube;
 using samples::net_of;
-using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
@@ -94,7 +93,7 @@ TEST(Sheet, APartTooLargeNamesTheSizeThatFits) {
     FAIL() << "a cube net of 120 mm sides cannot fit A4";
   } catch (const InvalidInput& error) {
     EXPECT_EQ(error.code(), "fabricate/part-too-large");
-    const std::string hint = error.suggestion();
+    const std::string& hint = error.suggestion();
     ASSERT_THAT(hint, HasSubstr("--longest "));
     const double fits = std::stod(hint.substr(hint.find("--longest ") + 10));
     EXPECT_GT(fits, 50);
