@@ -17,8 +17,8 @@ Counts counts(const CreasePattern& sheet) {
   return {static_cast<int>(real_vertices(sheet).size()), make_linkage(sheet).num_hinges(), sheet.num_faces()};
 }
 
-void PrintTo(const Counts& c,
-             std::ostream* out) {  // NOLINT(readability-identifier-naming): GoogleTest looks for this name
+// GoogleTest looks for this name. NOLINTNEXTLINE(readability-identifier-naming)
+void PrintTo(const Counts& c, std::ostream* out) {
   *out << c.real_vertices << " real vertices, " << c.creases << " creases, " << c.panels << " panels";
 }
 
