@@ -6,15 +6,11 @@
 
 #include "plico/base/rng.h"
 #include "plico/mesh/mesh.h"
+#include "plico/mesh/shapes.h"
 
 namespace plico {
 
-inline Mesh tetrahedron() {
-  PolygonSoup soup;
-  soup.points = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
-  for (auto face : {std::array{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}) soup.add_face(face);
-  return Mesh(soup);
-}
+inline Mesh tetrahedron_mesh() { return Mesh(tetrahedron()); }
 
 // An icosahedron whose faces are split in four `level` times; vertices are pushed off the sphere by up to `bump`.
 inline Mesh bumpy_sphere(int level, double bump, std::uint64_t seed) {

@@ -65,11 +65,11 @@ TEST(Evolve, CutsTheBestTreeIntoPartsWhenItsTimeIsOver) {
 }
 
 TEST(Evolve, RejectsOptionsOutOfRange) {
-  EXPECT_THROW(evolve_net(tetrahedron(), {.population = 1}), InvalidOption);
-  EXPECT_THROW(evolve_net(tetrahedron(), {.children = 400}), InvalidOption);
-  EXPECT_THROW(evolve_net(tetrahedron(), {.crossover_probability = 1.5}), InvalidOption);
-  EXPECT_THROW(evolve_net(tetrahedron(), {.mutation_variance = -1}), InvalidOption);
-  EXPECT_THROW(evolve_net(tetrahedron(), {.max_generations = -1}), InvalidOption);
+  EXPECT_THROW(evolve_net(tetrahedron_mesh(), {.population = 1}), InvalidOption);
+  EXPECT_THROW(evolve_net(tetrahedron_mesh(), {.children = 400}), InvalidOption);
+  EXPECT_THROW(evolve_net(tetrahedron_mesh(), {.crossover_probability = 1.5}), InvalidOption);
+  EXPECT_THROW(evolve_net(tetrahedron_mesh(), {.mutation_variance = -1}), InvalidOption);
+  EXPECT_THROW(evolve_net(tetrahedron_mesh(), {.max_generations = -1}), InvalidOption);
   try {
     check(EvolveOptions{.tournament = 500});
     FAIL();
@@ -88,7 +88,7 @@ TEST(FaultCounter, ASaddleCutOnceOverlapsLocallyAndAConvexVertexNever) {
     for (double& gene : genes) gene = rng.uniform();
     EXPECT_EQ(count.local_overlaps(lightest_forest(fan, genes)), 1);  // eight folds in a ring: a tree cuts one
   }
-  const Mesh tetra = tetrahedron();
+  const Mesh tetra = tetrahedron_mesh();
   const FlatFaces convex(tetra);
   EXPECT_EQ(FaultCounter(convex).local_overlaps(lightest_forest(tetra, Genes(6, 0.5))), 0);
 }

@@ -41,7 +41,7 @@ TEST(Heuristics, MinimumPerimeterCutsTheLeastOfAll) {
 }
 
 TEST(Heuristics, SteepestEdgeFoldsWhatLiesAcrossTheDirection) {
-  const Mesh mesh = tetrahedron();
+  const Mesh mesh = tetrahedron_mesh();
   Rng rng(1);
   const Vec3 along = (mesh.point(VertexId(1)) - mesh.point(VertexId(0))).normalized();
   const FoldForest forest = lightest_forest(mesh, dual_weights(mesh, Heuristic::SteepestEdge, along, rng));

@@ -71,7 +71,7 @@ TEST(Optimize, NeverWorseAndDeterministicForEveryThreadCount) {
 }
 
 TEST(Optimize, TheBestNetStaysAsItIs) {
-  const Mesh mesh = tetrahedron();
+  const Mesh mesh = tetrahedron_mesh();
   OptimizeOptions options = quick({.cut_length = 1});
   options.starts = 0;
   const OptimizeResult result = optimize_net(mesh, some_net(mesh), options);

@@ -15,7 +15,7 @@ namespace {
 NetVerdict judge(const Mesh& mesh, const FoldForest& forest) { return verify_net(lay_flat(mesh, forest), mesh); }
 
 Mesh two_tetrahedra() {
-  PolygonSoup soup = tetrahedron().soup();
+  PolygonSoup soup = tetrahedron();
   const PolygonSoup one = soup;
   for (const Vec3& p : one.points) soup.points.emplace_back(p + Vec3(10, 0, 0));
   for (int f = 0; f < one.num_faces(); ++f) {
@@ -90,13 +90,13 @@ TEST(Search, RepeatsATimedOutRunByItsSteps) {
 }
 
 TEST(Search, RejectsOptionsOutOfRange) {
-  EXPECT_THROW(find_net(tetrahedron(), {.starts = 0}), InvalidOption);
-  EXPECT_THROW(find_net(tetrahedron(), {.effort = 0}), InvalidOption);
-  EXPECT_THROW(find_net(tetrahedron(), {.max_steps = -2}), InvalidOption);
+  EXPECT_THROW(find_net(tetrahedron_mesh(), {.starts = 0}), InvalidOption);
+  EXPECT_THROW(find_net(tetrahedron_mesh(), {.effort = 0}), InvalidOption);
+  EXPECT_THROW(find_net(tetrahedron_mesh(), {.max_steps = -2}), InvalidOption);
 }
 
 TEST(TryAllNets, FindsTheTetrahedronsAndCountsWhatItLookedAt) {
-  const Mesh mesh = tetrahedron();
+  const Mesh mesh = tetrahedron_mesh();
   const ExhaustResult result = try_all_nets(FlatFaces(mesh), 1000);
   EXPECT_EQ(result.ending, Ending::Found);
   EXPECT_GT(result.nodes, 2);
