@@ -54,7 +54,8 @@ TEST(Sheet, TheCubeHasSevenTabsOfFullDepth) {
 }
 
 TEST(Sheet, ASideHasTheAskedLength) {
-  for (const FoldLine& fold : cube_sheet(of_longest(37)).sheet.parts[0].folds)
+  const SheetResult cube_37 = cube_sheet(of_longest(37));
+  for (const FoldLine& fold : cube_37.sheet.parts[0].folds)
     EXPECT_NEAR((fold.a - fold.b).norm(), 37, 1e-9);
 }
 
@@ -137,7 +138,8 @@ TEST(Sheet, FlatFoldsAreMarkedFlat) {
 TEST(Sheet, EveryPageHasALegendAndARulerOfAHundredMillimetres) {
   SheetOptions options = of_longest(110);
   options.split = true;
-  for (const Page& page : cube_sheet(options).sheet.pages) {
+  const SheetResult result = cube_sheet(options);
+  for (const Page& page : result.sheet.pages) {
     EXPECT_NE(page.key_form, KeyForm::None);
     EXPECT_EQ(page.ruler, 100);
   }
