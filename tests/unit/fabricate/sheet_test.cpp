@@ -55,8 +55,7 @@ TEST(Sheet, TheCubeHasSevenTabsOfFullDepth) {
 
 TEST(Sheet, ASideHasTheAskedLength) {
   const SheetResult cube_37 = cube_sheet(of_longest(37));
-  for (const FoldLine& fold : cube_37.sheet.parts[0].folds)
-    EXPECT_NEAR((fold.a - fold.b).norm(), 37, 1e-9);
+  for (const FoldLine& fold : cube_37.sheet.parts[0].folds) EXPECT_NEAR((fold.a - fold.b).norm(), 37, 1e-9);
 }
 
 TEST(Sheet, HeightIsMeasuredAlongTheUpAxis) {
