@@ -4,8 +4,15 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <chrono>
+
 namespace plico::cli {
 namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// timeout(1) and terminals signal the process and its whole group: one wish to stop may arrive twice.
+constexpr std::chrono::milliseconds kEcho(200);
 
 sigset_t stopping_signals() {
   sigset_t set;
@@ -32,10 +39,15 @@ StopSignal::~StopSignal() {
 
 void StopSignal::wait_for_signals() {
   const sigset_t set = stopping_signals();
+  Clock::time_point asked{};
   for (int signal = 0; sigwait(&set, &signal) == 0;) {
     if (closing_) return;
-    if (source_.stop_requested()) _exit(130);
-    source_.request_stop();
+    if (!source_.stop_requested()) {
+      asked = Clock::now();
+      source_.request_stop();
+    } else if (Clock::now() - asked > kEcho) {
+      _exit(130);
+    }
   }
 }
 

@@ -6,8 +6,8 @@
 
 namespace plico::cli {
 
-// While it lives, the first SIGINT or SIGTERM asks to stop and the second ends the program with exit code 130. Make it
-// before any other thread: they inherit that these signals are not theirs.
+// While it lives, the first SIGINT or SIGTERM asks to stop and a second one, later than an echo of the first, ends the
+// program with exit code 130. Make it before any other thread: they inherit that these signals are not theirs.
 class StopSignal {
  public:
   StopSignal();
