@@ -1,6 +1,5 @@
 #include "plico/origami/patterns.h"
 
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -68,17 +67,6 @@ double scaled_half_angle(double factor, double angle) {
 
 bool is_waterbomb_centre(int x, int y) { return y % 2 == 1 && (x + (y - 1) / 2) % 2 == 1; }
 
-// Creases from the centre of [-1, 1]^2 in the eight directions that are multiples of 45 degrees; 0 for no crease.
-CreasePattern spokes(const std::array<double, 8>& goal_degrees) {
-  Grid grid(2, 2);
-  for (int y = 0; y <= 2; ++y)
-    for (int x = 0; x <= 2; ++x) grid.at(x, y) = Vec2(x - 1, y - 1);
-  const std::array<std::array<int, 2>, 8> ends = {{{2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}, {0, 0}, {1, 0}, {2, 0}}};
-  for (int k = 0; k < 8; ++k)
-    if (goal_degrees[k] != 0) grid.crease(1, 1, ends[k][0], ends[k][1], radians(goal_degrees[k]));
-  return grid.finish();
-}
-
 }  // namespace
 
 CreasePattern miura(const MiuraOptions& options) {
@@ -125,9 +113,5 @@ CreasePattern waterbomb(const WaterbombOptions& options) {
     }
   return grid.finish();
 }
-
-CreasePattern l2() { return spokes({180, 0, 90, 0, 180, 0, -90, 0}); }
-CreasePattern waterbomb_base() { return spokes({90, -180, 90, -180, 90, -180, 90, -180}); }
-CreasePattern diamond() { return spokes({-180, 180, -180, 0, -180, 180, -180, 0}); }
 
 }  // namespace plico

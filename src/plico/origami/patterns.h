@@ -1,4 +1,4 @@
-// Crease patterns with known motions: tessellations of any size and single-vertex bases.
+// Tessellations of any size, with known motions.
 #pragma once
 #include "plico/fold/crease_pattern.h"
 
@@ -26,10 +26,5 @@ struct WaterbombOptions {
 // horizontals h = 2 atan(sqrt 2 t), verticals between units 2h - a; the goal closes exactly (Imada & Tachi 2022,
 // cylinder solution). (columns - 1)(rows - 1) real vertices.
 CreasePattern waterbomb(const WaterbombOptions& options = {});
-
-// Bases of the dissertation around the centre of the square [-1, 1]^2.
-CreasePattern l2();              // two crossing lines, four creases: one folds by 180, then the other by 90 degrees
-CreasePattern waterbomb_base();  // eight creases: axes valley 90, diagonals mountain 180 degrees
-CreasePattern diamond();         // six creases, all folded by 180 degrees
 
 }  // namespace plico

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "plico/base/error.h"
+#include "plico/origami/bases.h"
 #include "plico/origami/patterns.h"
 
 namespace plico {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "plico/origami/bases.h"
 #include "plico/origami/patterns.h"
 
 namespace plico {

@@ -32,12 +32,6 @@ TEST(Patterns, CountsOfTable33ComeOut) {
   EXPECT_EQ(counts(waterbomb({.columns = 12, .rows = 22, .facet_horizontals = true})), (Counts{231, 758, 528}));
 }
 
-TEST(Patterns, BasesHaveOneRealVertex) {
-  EXPECT_EQ(counts(l2()), (Counts{1, 4, 4}));
-  EXPECT_EQ(counts(waterbomb_base()), (Counts{1, 8, 8}));
-  EXPECT_EQ(counts(diamond()), (Counts{1, 6, 6}));
-}
-
 TEST(Patterns, SizesOutOfRangeAreRefused) {
   EXPECT_THROW(miura({.columns = 0}), InvalidOption);
   EXPECT_THROW(miura({.sector = kPi / 2}), InvalidOption);
