@@ -1,82 +1,98 @@
 #include "plico/origami/closure.h"
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "plico/base/error.h"
+#include "plico/origami/loop_walk.h"
 
 namespace plico {
 namespace {
 
-using Sparse = Eigen::SparseMatrix<double>;
-
-Vec3 lift(const Vec2& direction) { return {direction.x(), direction.y(), 0}; }
-
-// Axis times angle, angle in [0, pi]. acos of the trace loses half its digits near zero, where foldable states live.
-Vec3 rotation_log(const Eigen::Quaterniond& q) {
-  const double sine = q.vec().norm();
-  if (sine == 0) return Vec3::Zero();
-  const Vec3 axis = (q.w() < 0 ? -1.0 : 1.0) / sine * q.vec();
-  return 2 * std::atan2(sine, std::abs(q.w())) * axis;
-}
-
-// Calls `visit(k, column)` for every crease k with the change of the walk's rotation per radian of it; returns the
-// walk's rotation. Translations cancel on a closed walk.
-template <class Visit>
-Eigen::Quaterniond walk_around(const RealVertex& vertex, const Configuration& config, Visit visit) {
-  Eigen::Quaterniond walk = Eigen::Quaterniond::Identity();
-  for (std::size_t k = 0; k < vertex.hinges.size(); ++k) {
-    const Vec3 axis = lift(vertex.directions[k]);
-    visit(k, Vec3(walk * axis));
-    walk = walk * Eigen::Quaterniond(Eigen::AngleAxisd(config[vertex.hinges[k]], axis));
-  }
-  return walk;
-}
-
-Eigen::VectorXd residuals(const std::vector<RealVertex>& vertices, const Configuration& config) {
-  Eigen::VectorXd result(3 * vertices.size());
-  for (std::size_t v = 0; v < vertices.size(); ++v)
-    result.segment<3>(3 * v) = rotation_log(walk_around(vertices[v], config, [](std::size_t, const Vec3&) {}));
-  return result;
-}
-
-Sparse jacobian(const std::vector<RealVertex>& vertices, const Configuration& config) {
-  std::vector<Eigen::Triplet<double>> entries;
-  for (std::size_t v = 0; v < vertices.size(); ++v)
-    walk_around(vertices[v], config, [&](std::size_t k, const Vec3& column) {
-      for (int i = 0; i < 3; ++i)  // zeros too: the pattern must be the same for every configuration
-        entries.emplace_back(static_cast<int>(3 * v) + i, vertices[v].hinges[k], column[i]);
-    });
-  Sparse result(static_cast<int>(3 * vertices.size()), static_cast<int>(config.size()));
-  result.setFromTriplets(entries.begin(), entries.end());
-  return result;
-}
-
-Closure summary(const std::vector<RealVertex>& vertices, const Eigen::VectorXd& residual) {
-  Closure result;
-  for (std::size_t v = 0; v < vertices.size(); ++v) {
-    const double angle = result.residual.emplace_back(residual.segment<3>(3 * v).norm());
-    if (result.worst_vertex >= 0 && angle <= result.worst) continue;
-    result.worst = angle;
-    result.worst_vertex = vertices[v].vertex;
-  }
-  return result;
-}
-
-struct Step {
-  Configuration config;
-  Eigen::VectorXd residual;
+struct Crossing {
+  int hinge;
+  Vec2 from, direction;
 };
 
-// The longest of `direction`, half of it, a quarter ... that makes the residual smaller; the input when none does.
-Step descend(const std::vector<RealVertex>& vertices, const Step& from, const Eigen::VectorXd& direction) {
-  for (double length = 1; length > 1e-4; length /= 2) {
-    Step next{from.config + length * direction, {}};
-    next.residual = residuals(vertices, next.config);
-    if (next.residual.squaredNorm() < from.residual.squaredNorm()) return next;
+// The borders of a sheet, one closed walk each, with the sheet on the left.
+class Borders {
+ public:
+  Borders(const CreasePattern& sheet, const std::vector<int>& hinge) : sheet_(sheet), part_(parts_of(sheet)) {
+    for (int f = 0; f < sheet.num_faces(); ++f)
+      for (std::size_t i = 0; i < sheet.faces[f].size(); ++i)
+        side_[{sheet.faces[f][i], corner(f, i + 1)}] = {f, static_cast<int>(i)};
+    for (int e = 0; e < sheet.num_edges(); ++e) hinge_[std::minmax(sheet.edges[e].a, sheet.edges[e].b)] = hinge[e];
   }
-  return from;
+
+  struct Border {
+    double area = 0;  // signed, positive for the outer border
+    int part = -1, lowest = -1;
+    std::vector<Crossing> crossings;  // counter-clockwise as seen from inside a hole
+  };
+
+  std::vector<Border> run() {
+    std::vector<Border> borders;
+    std::map<std::pair<int, int>, bool> seen;
+    for (const auto& [ends, place] : side_) {
+      if (side_.count({ends.second, ends.first}) != 0 || seen[ends]) continue;
+      borders.push_back(follow(ends, seen));
+    }
+    return borders;
+  }
+
+ private:
+  using Side = std::pair<int, int>;  // vertices, in the direction in which the panel on its left has them
+
+  int corner(int face, std::size_t i) const { return sheet_.faces[face][i % sheet_.faces[face].size()]; }
+  Side after(const Side& side) const {
+    const auto [face, i] = side_.at(side);
+    return {side.second, corner(face, static_cast<std::size_t>(i) + 2)};
+  }
+
+  Border follow(const Side& start, std::map<Side, bool>& seen) const {
+    Border border;
+    border.part = part_[side_.at(start).first];
+    Side at = start;
+    do {
+      seen[at] = true;
+      const Vec2 &p = sheet_.vertices[at.first], &q = sheet_.vertices[at.second];
+      border.area += cross(p - sheet_.vertices[start.first], q - p) / 2;
+      border.lowest = border.lowest < 0 ? at.first : std::min(border.lowest, at.first);
+      for (at = after(at); side_.count({at.second, at.first}) != 0; at = after({at.second, at.first})) {
+        const int h = hinge_.at(std::minmax(at.first, at.second));
+        const Vec2& from = sheet_.vertices[at.first];
+        border.crossings.push_back({h, from, (sheet_.vertices[at.second] - from).normalized()});
+      }
+    } while (at != start);
+    std::reverse(border.crossings.begin(), border.crossings.end());
+    return border;
+  }
+
+  const CreasePattern& sheet_;
+  std::vector<int> part_;
+  std::map<Side, std::pair<int, int>> side_;  // panel and index
+  std::map<Side, int> hinge_;
+};
+
+RealVertex around(const Borders::Border& border, double scale) {
+  RealVertex hole;
+  hole.vertex = border.lowest;
+  for (const Crossing& crossing : border.crossings) {
+    hole.hinges.push_back(crossing.hinge);
+    hole.directions.push_back(crossing.direction);
+    hole.points.emplace_back((crossing.from - border.crossings.front().from) / scale);
+  }
+  return hole;
+}
+
+void add_holes(const CreasePattern& sheet, const std::vector<int>& hinge, std::vector<RealVertex>& result) {
+  const std::vector<Borders::Border> borders = Borders(sheet, hinge).run();
+  std::map<int, double> outer;
+  for (const auto& border : borders) outer[border.part] = std::max(outer[border.part], border.area);
+  const double scale = diagonal(sheet);
+  for (const auto& border : borders)
+    if (border.area < outer[border.part] && !border.crossings.empty()) result.push_back(around(border, scale));
 }
 
 void check(const std::vector<RealVertex>& vertices, const Configuration& config) {
@@ -103,49 +119,66 @@ std::vector<RealVertex> real_vertices(const CreasePattern& sheet) {
   };
   std::vector<RealVertex> result;
   for (int v = 0; v < sheet.num_vertices(); ++v) {
-    std::vector<int>& around = edges[v];
-    if (around.empty() || std::any_of(around.begin(), around.end(), [&](int e) { return hinge[e] < 0; })) continue;
+    std::vector<int>& spokes = edges[v];
+    if (spokes.empty() || std::any_of(spokes.begin(), spokes.end(), [&](int e) { return hinge[e] < 0; })) continue;
     const auto turn = [&](int e) { return std::atan2(direction(e, v).y(), direction(e, v).x()); };
-    std::sort(around.begin(), around.end(), [&](int e, int f) { return turn(e) < turn(f); });
+    std::sort(spokes.begin(), spokes.end(), [&](int e, int f) { return turn(e) < turn(f); });
     RealVertex& vertex = result.emplace_back();
     vertex.vertex = v;
-    for (int e : around) {
+    for (int e : spokes) {
       vertex.hinges.push_back(hinge[e]);
       vertex.directions.push_back(direction(e, v));
     }
   }
+  add_holes(sheet, hinge, result);
   return result;
+}
+
+double diagonal(const CreasePattern& sheet) {
+  if (sheet.vertices.empty()) return 0;
+  Vec2 low = sheet.vertices.front(), high = low;
+  for (const Vec2& p : sheet.vertices) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  return (high - low).norm();
 }
 
 Closure closure(const std::vector<RealVertex>& vertices, const Configuration& config) {
   check(vertices, config);
-  return summary(vertices, residuals(vertices, config));
+  Closure result;
+  for (const RealVertex& vertex : vertices) {
+    Eigen::Matrix<double, 6, 1> residual = Eigen::Matrix<double, 6, 1>::Zero();
+    write_residual(vertex, walk_around(vertex, config, [](std::size_t, const Vec3&, const Vec3&) {}), residual.data());
+    const double size = result.residual.emplace_back(residual.norm());
+    if (result.worst_vertex >= 0 && size <= result.worst) continue;
+    result.worst = size;
+    result.worst_vertex = vertex.vertex;
+  }
+  return result;
 }
 
-Projection project(const std::vector<RealVertex>& vertices, const Configuration& start, const ProjectOptions& options) {
-  check(vertices, start);
-  Step at{start, residuals(vertices, start)};
-  Eigen::SimplicialLDLT<Sparse> solver;
-  Projection result;
-  result.closure = summary(vertices, at.residual);
-  while (result.closure.worst > options.tolerance && result.steps < options.max_steps) {
-    const Sparse j = jacobian(vertices, at.config);
-    Sparse normal = j.transpose() * j;
-    for (int i = 0; i < normal.cols(); ++i) normal.coeffRef(i, i) += options.damping;
-    if (result.steps == 0) solver.analyzePattern(normal);
-    solver.factorize(normal);
-    Eigen::VectorXd direction = solver.solve(-(j.transpose() * at.residual));
-    const double longest = direction.cwiseAbs().maxCoeff();
-    if (longest > options.max_step) direction *= options.max_step / longest;
-    Step next = descend(vertices, at, direction);
-    ++result.steps;
-    const bool stuck = next.config == at.config;
-    at = std::move(next);
-    result.closure = summary(vertices, at.residual);
-    if (stuck) break;
+Tear tear(const CreasePattern& sheet, const Linkage& linkage, const Configuration& config) {
+  const std::vector<Pose> poses = folding_map(linkage, config);
+  std::vector<std::vector<Vec3>> images(sheet.vertices.size());
+  for (int f = 0; f < sheet.num_faces(); ++f)
+    for (int v : sheet.faces[f]) images[v].push_back(poses[f] * Vec3(sheet.vertices[v].x(), sheet.vertices[v].y(), 0));
+  Tear result;
+  std::vector<Vec3> mean(images.size(), Vec3::Zero());
+  const double scale = diagonal(sheet);
+  for (int v = 0; v < sheet.num_vertices(); ++v) {
+    for (std::size_t i = 0; i < images[v].size(); ++i) {
+      mean[v] += images[v][i] / static_cast<double>(images[v].size());
+      for (std::size_t j = 0; j < i; ++j) {
+        const double gap = (images[v][i] - images[v][j]).norm() / scale;
+        if (gap > result.gap) result.gap = gap, result.vertex = v;
+      }
+    }
   }
-  result.config = std::move(at.config);
-  result.closed = result.closure.worst <= options.tolerance;
+  for (int e = 0; e < sheet.num_edges(); ++e) {
+    const auto [a, b] = std::pair(sheet.edges[e].a, sheet.edges[e].b);
+    if (images[a].empty() || images[b].empty()) continue;
+    const double length = (sheet.vertices[b] - sheet.vertices[a]).norm();
+    const double change = std::abs((mean[b] - mean[a]).norm() / length - 1);
+    if (change > result.deformation) result.deformation = change, result.edge = e;
+  }
   return result;
 }
 

@@ -5,7 +5,7 @@
 #include "plico/base/run.h"
 #include "plico/fold/folding_path.h"
 #include "plico/motion/collision.h"
-#include "plico/origami/closure.h"
+#include "plico/origami/projector.h"
 
 namespace plico {
 

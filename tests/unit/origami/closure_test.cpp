@@ -1,4 +1,4 @@
-#include "plico/origami/closure.h"
+#include "plico/origami/projector.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,278 @@
+#include "plico/origami/projector.h"
+
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "plico/base/error.h"
+#include "plico/origami/loop_walk.h"
+
+namespace plico {
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+
+// Stiffness that holds a crease: its step comes out at 1e-12 of what it would be.
+constexpr double kHeld = 1e12;
+
+struct Limits {
+  Configuration low, high;
+
+  Configuration clamp(const Configuration& config) const { return config.cwiseMax(low).cwiseMin(high); }
+  bool held(int h) const { return low[h] >= high[h]; }
+  // Would a move from `at` along `step` leave the limits at once?
+  bool blocks(int h, double at, double step) const { return (step < 0 && at <= low[h]) || (step > 0 && at >= high[h]); }
+};
+
+Limits limits_of(const ProjectOptions& options, int num_creases) {
+  const auto fill = [&](const Configuration& given, double otherwise) {
+    if (given.size() == 0) return Configuration(Configuration::Constant(num_creases, otherwise));
+    if (given.size() == num_creases) return given;
+    throw InvalidInput("origami/limits", fmt::format("{} limits for {} creases", given.size(), num_creases));
+  };
+  return {fill(options.low, -kPi), fill(options.high, kPi)};
+}
+
+void check(const ProjectOptions& o) {
+  if (!(o.tolerance > 0)) throw InvalidOption(fmt::format("tolerance = {} must be above 0", o.tolerance));
+  if (!(o.max_step > 0)) throw InvalidOption(fmt::format("max step = {} must be above 0", o.max_step));
+  if (!(o.damping > 0)) throw InvalidOption(fmt::format("damping = {} must be above 0", o.damping));
+}
+
+}  // namespace
+
+// Residual, Jacobian by columns and normal matrix of all loops. Entry k of loop l is its k-th crease.
+class Projector::Equations {
+ public:
+  Equations(std::vector<RealVertex> loops, int num_creases) : loops_(std::move(loops)), num_creases_(num_creases) {
+    for (const RealVertex& loop : loops_) {
+      for (int h : loop.hinges)
+        if (h < 0 || h >= num_creases)
+          throw InvalidInput("origami/crease-index", fmt::format("crease {} of {}", h, num_creases),
+                             fmt::format("vertex {}", loop.vertex));
+      first_row_.push_back(first_row_.back() + loop.num_equations());
+      first_column_.push_back(first_column_.back() + loop.num_equations() * static_cast<int>(loop.hinges.size()));
+    }
+    residual_.resize(first_row_.back());
+    columns_.resize(first_column_.back());
+    build_pattern();
+  }
+
+  const std::vector<RealVertex>& loops() const { return loops_; }
+  int num_creases() const { return num_creases_; }
+
+  double squared_residual(const Configuration& config) {
+    for (std::size_t l = 0; l < loops_.size(); ++l)
+      write_residual(loops_[l], walk_around(loops_[l], config, [](std::size_t, const Vec3&, const Vec3&) {}),
+                     &residual_[first_row_[l]]);
+    return residual_.squaredNorm();
+  }
+
+  double worst_residual() const {
+    double worst = 0;
+    for (std::size_t l = 0; l < loops_.size(); ++l)
+      worst = std::max(worst, residual_.segment(first_row_[l], loops_[l].num_equations()).norm());
+    return worst;
+  }
+
+  // The derivative at `config`, and its normal matrix without held creases.
+  void linearize(const Configuration& config, double damping) {
+    for (std::size_t l = 0; l < loops_.size(); ++l) write_columns(l, config);
+    double* values = normal_.valuePtr();
+    std::fill(values, values + normal_.nonZeros(), 0.0);
+    for (int h = 0; h < num_creases_; ++h) values[diagonal_[h]] = damping;
+    const int* slot = slots_.data();
+    for (std::size_t l = 0; l < loops_.size(); ++l) {
+      const auto& hinges = loops_[l].hinges;
+      for (std::size_t i = 0; i < hinges.size(); ++i)
+        for (std::size_t j = 0; j <= i; ++j) {
+          const double product = column(l, i).dot(column(l, j));
+          values[*slot++] += i != j && hinges[i] == hinges[j] ? 2 * product : product;
+        }
+    }
+  }
+
+  void hold(int crease) { normal_.valuePtr()[diagonal_[crease]] = kHeld; }
+
+  void factorize() { solver_.factorize(normal_); }
+  Configuration solve(const Configuration& right) const { return solver_.solve(right); }
+
+  Configuration gradient() const { return transposed_times(residual_); }
+
+  // J^T J times a direction.
+  Configuration normal_times(const Configuration& direction) const {
+    Eigen::VectorXd image = Eigen::VectorXd::Zero(residual_.size());
+    for (std::size_t l = 0; l < loops_.size(); ++l)
+      for (std::size_t k = 0; k < loops_[l].hinges.size(); ++k)
+        image.segment(first_row_[l], loops_[l].num_equations()) += direction[loops_[l].hinges[k]] * column(l, k);
+    return transposed_times(image);
+  }
+
+ private:
+  Eigen::Map<const Eigen::VectorXd> column(std::size_t l, std::size_t k) const {
+    const int rows = loops_[l].num_equations();
+    return {&columns_[first_column_[l] + rows * static_cast<int>(k)], rows};
+  }
+
+  void write_columns(std::size_t l, const Configuration& config) {
+    const RealVertex& loop = loops_[l];
+    const int rows = loop.num_equations();
+    double* out = &columns_[first_column_[l]];
+    const Walk end = walk_around(loop, config, [&](std::size_t k, const Vec3& axis, const Vec3& point) {
+      Eigen::Map<Vec3>(out + rows * k) = axis;
+      if (loop.is_hole()) Eigen::Map<Vec3>(out + rows * k + 3) = point;
+    });
+    if (!loop.is_hole()) return;
+    for (std::size_t k = 0; k < loop.hinges.size(); ++k) {  // velocity of the walk's end when it turns about the axis
+      Eigen::Map<Vec3> axis(out + rows * k), point(out + rows * k + 3);
+      point = axis.cross(end.shift - point).eval();
+    }
+  }
+
+  Configuration transposed_times(const Eigen::VectorXd& rows) const {
+    Configuration result = Configuration::Zero(num_creases_);
+    for (std::size_t l = 0; l < loops_.size(); ++l)
+      for (std::size_t k = 0; k < loops_[l].hinges.size(); ++k)
+        result[loops_[l].hinges[k]] += column(l, k).dot(rows.segment(first_row_[l], loops_[l].num_equations()));
+    return result;
+  }
+
+  // Lower half of J^T J: a slot of its values for every pair of entries of a loop, so that filling needs no search.
+  void build_pattern() {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int h = 0; h < num_creases_; ++h) entries.emplace_back(h, h, 1);
+    for_pairs([&](int row, int col) { entries.emplace_back(row, col, 1); });
+    normal_.resize(num_creases_, num_creases_);
+    normal_.setFromTriplets(entries.begin(), entries.end());
+    const auto slot = [&](int row, int col) {
+      const int *begin = normal_.innerIndexPtr() + normal_.outerIndexPtr()[col],
+                *end = normal_.innerIndexPtr() + normal_.outerIndexPtr()[col + 1];
+      return static_cast<int>(std::lower_bound(begin, end, row) - normal_.innerIndexPtr());
+    };
+    for (int h = 0; h < num_creases_; ++h) diagonal_.push_back(slot(h, h));
+    for_pairs([&](int row, int col) { slots_.push_back(slot(row, col)); });
+    solver_.analyzePattern(normal_);
+  }
+
+  template <class Visit>
+  void for_pairs(Visit visit) const {
+    for (const RealVertex& loop : loops_)
+      for (std::size_t i = 0; i < loop.hinges.size(); ++i)
+        for (std::size_t j = 0; j <= i; ++j) {
+          const auto [low, high] = std::minmax(loop.hinges[i], loop.hinges[j]);
+          visit(high, low);
+        }
+  }
+
+  std::vector<RealVertex> loops_;
+  int num_creases_;
+  std::vector<int> first_row_ = {0}, first_column_ = {0};  // per loop
+  Eigen::VectorXd residual_;
+  std::vector<double> columns_;
+  Sparse normal_;
+  std::vector<int> diagonal_, slots_;
+  Eigen::SimplicialLDLT<Sparse, Eigen::Lower> solver_;
+};
+
+namespace {
+
+// Solves (J^T J + damping I) x = `right(held)` and makes a step of x, holding the creases that would leave their limits
+// at once.
+template <class Equations, class Right, class Step>
+Configuration solve_within(Equations& equations, const Limits& limits, const Configuration& at, double damping,
+                           const Right& right, const Step& step) {
+  equations.linearize(at, damping);
+  std::vector<char> held(at.size(), 0);
+  const auto hold = [&](int h) {
+    held[h] = 1;
+    equations.hold(h);
+  };
+  for (int h = 0; h < at.size(); ++h)
+    if (limits.held(h)) hold(h);
+  for (int round = 0;; ++round) {
+    Configuration rhs = right(held);
+    for (int h = 0; h < at.size(); ++h)
+      if (held[h]) rhs[h] = 0;
+    equations.factorize();
+    Configuration result = step(equations.solve(rhs));
+    bool again = false;
+    for (int h = 0; h < at.size(); ++h) {
+      if (held[h]) {
+        result[h] = 0;
+      } else if (limits.blocks(h, at[h], result[h])) {
+        hold(h);
+        result[h] = 0;
+        again = true;
+      }
+    }
+    if (!again || round == 3) return result;
+  }
+}
+
+}  // namespace
+
+Projector::Projector(std::vector<RealVertex> vertices, int num_creases)
+    : equations_(std::make_unique<Equations>(std::move(vertices), num_creases)) {}
+Projector::Projector(const CreasePattern& sheet) : Projector(real_vertices(sheet), make_linkage(sheet).num_hinges()) {}
+Projector::~Projector() = default;
+Projector::Projector(Projector&&) noexcept = default;
+Projector& Projector::operator=(Projector&&) noexcept = default;
+
+const std::vector<RealVertex>& Projector::vertices() const { return equations_->loops(); }
+int Projector::num_creases() const { return equations_->num_creases(); }
+
+Projection Projector::project(const Configuration& start, const ProjectOptions& options) {
+  check(options);
+  if (start.size() != num_creases())
+    throw InvalidInput("origami/too-few-angles",
+                       fmt::format("{} fold angles for {} creases", start.size(), num_creases()));
+  const Limits limits = limits_of(options, num_creases());
+  Projection result;
+  result.config = limits.clamp(start);
+  double size = equations_->squared_residual(result.config);
+  while (equations_->worst_residual() > options.tolerance && result.steps < options.max_steps) {
+    Configuration direction = solve_within(
+        *equations_, limits, result.config, options.damping,
+        [&](const std::vector<char>&) { return equations_->gradient(); },
+        [](const Configuration& x) { return Configuration(-x); });
+    const double longest = direction.cwiseAbs().maxCoeff();
+    if (longest > options.max_step) direction *= options.max_step / longest;
+    ++result.steps;
+    bool smaller = false;
+    for (double length = 1; length > 1e-4 && !smaller; length /= 2) {
+      Configuration next = limits.clamp(result.config + length * direction);
+      const double next_size = equations_->squared_residual(next);
+      smaller = next_size < size;
+      if (smaller) {
+        result.config = std::move(next);
+        size = next_size;
+      }
+    }
+    if (smaller) continue;
+    break;
+  }
+  result.closure = closure(vertices(), result.config);
+  result.closed = result.closure.worst <= options.tolerance;
+  return result;
+}
+
+Configuration Projector::tangent(const Configuration& at, const Configuration& direction,
+                                 const ProjectOptions& options) {
+  check(options);
+  const Limits limits = limits_of(options, num_creases());
+  const auto free_part = [&](const std::vector<char>& held) {
+    Configuration free = direction;
+    for (int h = 0; h < free.size(); ++h)
+      if (held[h]) free[h] = 0;
+    return equations_->normal_times(free);
+  };
+  return solve_within(*equations_, limits, at, options.damping, free_part,
+                      [&](const Configuration& x) { return Configuration(direction - x); });
+}
+
+Projection project(const std::vector<RealVertex>& vertices, const Configuration& start, const ProjectOptions& options) {
+  return Projector(vertices, static_cast<int>(start.size())).project(start, options);
+}
+
+}  // namespace plico
