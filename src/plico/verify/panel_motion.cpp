@@ -6,7 +6,6 @@
 #include "plico/base/error.h"
 
 namespace plico {
-namespace {
 
 void check_path(const Linkage& linkage, const FoldingPath& path) {
   if (path.waypoints.size() < 2 || path.waypoints.front().time != 0 || path.waypoints.back().time != 1)
@@ -22,8 +21,6 @@ void check_path(const Linkage& linkage, const FoldingPath& path) {
                                                      path.waypoints[i - 1].time));
   }
 }
-
-}  // namespace
 
 LinkageMotion::LinkageMotion(const Linkage& linkage, const FoldingPath& path)
     : linkage_(linkage),

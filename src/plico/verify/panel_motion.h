@@ -1,4 +1,6 @@
-// Rigid panels that move over the times [0, 1]: all that the proof of collision freedom knows of a motion.
+// Rigid panels that move over the times [0, 1]: all that the proof of collision freedom knows of a motion. What a
+// polyline of fold angles means between its waypoints: in a tree, fold angles are linear in time (LinkageMotion); in a
+// sheet with loops they cannot all be, and every panel moves by itself (sheet_motion.h).
 #pragma once
 #include <vector>
 
@@ -30,7 +32,14 @@ class PanelMotion {
 
   // Bound on the error of a placed corner by rounding, units.
   virtual double rounding() const = 0;
+
+  // Where to halve an interval: a moment strictly inside it, at a waypoint if there is one.
+  virtual double split(double start, double end) const { return start + (end - start) / 2; }
 };
+
+// Throws InvalidInput when the path does not fit the linkage: waypoints from time 0 to time 1, one finite angle a
+// hinge.
+void check_path(const Linkage& linkage, const FoldingPath& path);
 
 // A linkage along a polyline of configurations. On an interval every fold angle is a chord (linear) plus at most its
 // kink (0 without a waypoint inside). A point x at the end of hinges i = 1..k that turn by D_i along their chords has

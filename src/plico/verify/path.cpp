@@ -110,7 +110,7 @@ class Proof {
 
   template <class Halves>
   void halve(double start, double end, const std::vector<char>& wanted, int depth, Halves halves) {
-    const double middle = start + (end - start) / 2;
+    const double middle = motion_.split(start, end);
     Poses& at_middle = level(depth + 1).first;
     at_middle.resize(plates_.num_panels);
     motion_.place(middle, wanted, at_middle);
@@ -316,8 +316,14 @@ void check(const PathProofOptions& options) {
   };
   length(options.clearance, "clearance");
   length(options.touch, "touch");
+  if (!(options.closing > 0)) throw InvalidOption(fmt::format("closing = {} must be above 0", options.closing));
   if (!(options.resolution > 0) || options.resolution > 1)
     throw InvalidOption(fmt::format("resolution = {} must be in (0, 1]", options.resolution));
+}
+
+void place_at_hinge(PathProof& proof, const Hinge& hinge) {
+  proof.panel_a = std::min(hinge.left, hinge.right);
+  proof.panel_b = std::max(hinge.left, hinge.right);
 }
 
 // A hinge keeps its two panels apart only up to 180 degrees.
@@ -329,12 +335,38 @@ std::optional<PathProof> over_folded(const Linkage& linkage, const FoldingPath& 
       proof.verdict = PathVerdict::Collides;
       proof.from = i > 0 ? path.waypoints[i - 1].time : 0;
       proof.to = path.waypoints[i].time;
-      proof.panel_a = std::min(linkage.hinges[h].left, linkage.hinges[h].right);
-      proof.panel_b = std::max(linkage.hinges[h].left, linkage.hinges[h].right);
+      place_at_hinge(proof, linkage.hinges[h]);
       return proof;
     }
   }
   return {};
+}
+
+PathProof prove_sheet(const Linkage& linkage, const FoldingPath& path, PathProofOptions options, const Run& run) {
+  SheetMotion motion(linkage, path);
+  const LoopReport& loops = motion.loops();
+  PathProof proof;
+  proof.loops = loops;
+  proof.clearance = options.clearance > 0 ? options.clearance : default_clearance(linkage);
+  proof.touch = std::max(options.touch > 0 ? options.touch : 1e-3 * proof.clearance, loops.gap);
+  if (loops.residual > options.closing) {
+    proof.verdict = PathVerdict::NotClosed;
+    proof.from = proof.to = path.waypoints[loops.waypoint].time;
+    place_at_hinge(proof, linkage.hinges[loops.hinge]);
+    return proof;
+  }
+  if (loops.gap >= proof.clearance) {
+    proof.too_coarse = true;
+    proof.from = path.waypoints[loops.gap_waypoint].time;
+    proof.to = path.waypoints[loops.gap_waypoint + 1].time;
+    place_at_hinge(proof, linkage.hinges[loops.gap_hinge]);
+    return proof;
+  }
+  options.clearance = proof.clearance;
+  options.touch = proof.touch;
+  proof = prove_motion(linkage, motion, options, run);
+  proof.loops = loops;
+  return proof;
 }
 
 }  // namespace
@@ -347,6 +379,8 @@ std::string_view name(PathVerdict verdict) {
       return "collides";
     case PathVerdict::Undecided:
       return "undecided";
+    case PathVerdict::NotClosed:
+      return "not closed";
   }
   return "unknown";
 }
@@ -357,8 +391,11 @@ PathProof prove_motion(const Linkage& linkage, PanelMotion& motion, const PathPr
 }
 
 PathProof prove_path(const Linkage& linkage, const FoldingPath& path, const PathProofOptions& options, const Run& run) {
-  LinkageMotion motion(linkage, path);
+  check(options);
+  check_path(linkage, path);
   if (const auto collision = over_folded(linkage, path)) return *collision;
+  if (linkage.has_loops()) return prove_sheet(linkage, path, options, run);
+  LinkageMotion motion(linkage, path);
   return prove_motion(linkage, motion, options, run);
 }
 

@@ -64,6 +64,7 @@ ProofStatus status_of(const PathProof& proof) {
     case PathVerdict::Collides:
       return ProofStatus::Collides;
     case PathVerdict::Undecided:
+    case PathVerdict::NotClosed:
       break;
   }
   return ProofStatus::Undecided;
