@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include "plico/origami/bases.h"
 #include "plico/origami/continuation.h"
 #include "plico/origami/patterns.h"
 #include "plico/verify/path.h"
