@@ -97,4 +97,48 @@ CreasePattern sailboat() {
        {25, 19, 180}, {25, 9, 180},  {26, 20, 180}, {26, 22, 180}});
 }
 
+CreasePattern plane() { return spokes({-90, 0, 180, 0, -90, 180, 0, 180}); }
+
+// Sectors at each corner of the inner square: 90, 45, 90, 135 degrees. Around the square each crease's half-angle
+// tangent is the same multiple of the one before, so only 0 and 180 degrees close.
+CreasePattern square_twist() {
+  return pattern({{3, 0},
+                  {3, 3},
+                  {1, 3},
+                  {0, 3},
+                  {-3, 3},
+                  {-3, 1},
+                  {-3, 0},
+                  {-3, -3},
+                  {-1, -3},
+                  {0, -3},
+                  {3, -3},
+                  {3, -1},
+                  {1, 0},
+                  {0, 1},
+                  {-1, 0},
+                  {0, -1}},
+                 {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11},
+                 {{12, 13, -180},
+                  {13, 14, -180},
+                  {14, 15, -180},
+                  {15, 12, -180},
+                  {12, 2, 180},
+                  {12, 0, -180},
+                  {13, 5, 180},
+                  {13, 3, -180},
+                  {14, 8, 180},
+                  {14, 6, -180},
+                  {15, 11, 180},
+                  {15, 9, -180}});
+}
+
+// The flaps are as wide as the middle, so together they would run into each other halfway; and the bend can start only
+// when both lie flat.
+CreasePattern letter() {
+  return pattern({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 1}, {3, 2}, {2, 2}, {1, 2}, {0, 2}, {0, 1}, {1, 1}, {2, 1}},
+                 {0, 1, 2, 3, 4, 5, 6, 7, 8, 9},
+                 {{1, 10, 180}, {10, 7, 180}, {2, 11, 180}, {11, 6, 180}, {9, 10, 90}, {10, 11, -90}, {11, 4, 90}});
+}
+
 }  // namespace plico

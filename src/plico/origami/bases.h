@@ -15,4 +15,9 @@ CreasePattern fly1();            // the waterbomb base seen from behind: eight c
 CreasePattern fly2();            // the same with one corner tucked: eleven creases, two real vertices
 CreasePattern sailboat();  // 32 creases, all folded by 180 degrees, 13 real vertices (table 3.1 counts 34 creases)
 
+// Not of the dissertation:
+CreasePattern plane();         // a paper plane's nose: five creases, one real vertex
+CreasePattern square_twist();  // a square that turns by a right angle: flat-folds, but no rigid motion leads there
+CreasePattern letter();        // folded in three, then bent across all layers: only one fold after the other gets there
+
 }  // namespace plico

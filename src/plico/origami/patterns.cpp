@@ -1,5 +1,6 @@
 #include "plico/origami/patterns.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -60,6 +61,13 @@ void check(const WaterbombOptions& o) {
   require(o.diagonal_angle >= 0 && o.diagonal_angle <= kPi, "diagonal angle", o.diagonal_angle, "in [0, pi]");
 }
 
+void check(const YoshimuraOptions& o) {
+  require(o.columns >= 1, "columns", o.columns, "at least 1");
+  require(o.rows >= 1, "rows", o.rows, "at least 1");
+  require(o.sector > 0 && o.sector < kPi / 2, "sector", o.sector, "in (0, pi/2)");
+  require(o.diagonal_angle >= 0 && o.diagonal_angle <= kPi, "diagonal angle", o.diagonal_angle, "in [0, pi]");
+}
+
 // The angle whose half has `factor` times the tangent; exact at 0 and pi.
 double scaled_half_angle(double factor, double angle) {
   return 2 * std::atan2(factor * std::sin(angle / 2), std::cos(angle / 2));
@@ -112,6 +120,28 @@ CreasePattern waterbomb(const WaterbombOptions& options) {
       grid.crease(centre, centre_line, 2 * x + 1 - centre, other_line, -d);
     }
   return grid.finish();
+}
+
+CreasePattern yoshimura(const YoshimuraOptions& options) {
+  check(options);
+  const int n = options.columns, m = options.rows;
+  const double d = options.diagonal_angle;
+  const double straight = scaled_half_angle(std::cos(options.sector), d);
+  Grid grid(n, m);
+  for (int y = 0; y <= m; ++y)
+    for (int x = 0; x <= n; ++x) grid.at(x, y) = Vec2(x + (y % 2) * 0.5, y * std::tan(options.sector) / 2);
+  for (int y = 0; y < m; ++y) {
+    for (int x = 1; x < n; ++x) grid.crease(x, y, x, y + 1, -d);
+    for (int x = 0; x < n; ++x) grid.crease(x + 1 - y % 2, y, x + y % 2, y + 1, -d);
+  }
+  for (int y = 1; y < m; ++y)
+    for (int x = 0; x < n; ++x) grid.crease(x, y, x + 1, y, straight);
+  return grid.finish();
+}
+
+double yoshimura_tube_angle(int columns, double sector) {
+  const double sine = std::sin(kPi / (2 * std::max(1, columns))) / std::sin(sector);
+  return sine < 1 ? 2 * std::asin(sine) : kPi;
 }
 
 }  // namespace plico

@@ -27,4 +27,19 @@ struct WaterbombOptions {
 // cylinder solution). (columns - 1)(rows - 1) real vertices.
 CreasePattern waterbomb(const WaterbombOptions& options = {});
 
+struct YoshimuraOptions {
+  int columns = 6, rows = 4;            // bases of triangles in a line, lines of triangles, at least 1 each
+  double sector = radians(45);          // base angle of a triangle, in (0, pi/2)
+  double diagonal_angle = radians(30);  // size of the goal of the (mountain) diagonals, in [0, pi]
+};
+
+// Lines of isosceles triangles with base 1, every other line shifted by half a base. With d = diagonal and s = sector:
+// the straight creases fold by h = 2 atan(cos s tan(d / 2)); the goal closes exactly. (columns - 1)(rows - 1) real
+// vertices, all of degree 6, and rows (2 columns - 1) + columns (rows - 1) creases.
+CreasePattern yoshimura(const YoshimuraOptions& options = {});
+
+// The diagonals' angle at which the left and right ends of the folded sheet meet and it becomes a tube: every column
+// turns by 4 asin(sin s sin(d / 2)). More than this runs into itself; pi when the sheet is too narrow to become a tube.
+double yoshimura_tube_angle(int columns, double sector);
+
 }  // namespace plico

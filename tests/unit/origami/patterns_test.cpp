@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "plico/base/error.h"
+#include "plico/motion/collision.h"
 #include "plico/origami/closure.h"
 
 namespace plico {
@@ -15,6 +16,15 @@ struct Counts {
 
 Counts counts(const CreasePattern& sheet) {
   return {static_cast<int>(real_vertices(sheet).size()), make_linkage(sheet).num_hinges(), sheet.num_faces()};
+}
+
+std::vector<Vec3> folded_vertices(const CreasePattern& sheet) {
+  const Linkage linkage = make_linkage(sheet);
+  const std::vector<Pose> poses = folding_map(linkage, goal(linkage));
+  std::vector<Vec3> folded(sheet.vertices.size());
+  for (int f = 0; f < sheet.num_faces(); ++f)
+    for (int v : sheet.faces[f]) folded[v] = poses[f] * Vec3(sheet.vertices[v].x(), sheet.vertices[v].y(), 0);
+  return folded;
 }
 
 // GoogleTest looks for this name. NOLINTNEXTLINE(readability-identifier-naming)
@@ -32,9 +42,43 @@ TEST(Patterns, CountsOfTable33ComeOut) {
   EXPECT_EQ(counts(waterbomb({.columns = 12, .rows = 22, .facet_horizontals = true})), (Counts{231, 758, 528}));
 }
 
+// The counts of the author's yoshimura_12_12.
+TEST(Patterns, YoshimuraCountsItsTriangles) {
+  EXPECT_EQ(counts(yoshimura({.columns = 12, .rows = 12})), (Counts{121, 408, 288}));
+  for (const RealVertex& vertex : real_vertices(yoshimura())) EXPECT_EQ(vertex.hinges.size(), 6u);
+}
+
+TEST(Patterns, GoalsOfTessellationsClose) {
+  const auto worst = [](const CreasePattern& sheet) {
+    return closure(real_vertices(sheet), goal(make_linkage(sheet))).worst;
+  };
+  for (double angle : {0.0, 0.3, 1.0, 2.0, kPi}) {
+    EXPECT_LT(worst(miura({.columns = 4, .rows = 5, .sector = 1, .zigzag_angle = angle})), 1e-12) << angle;
+    EXPECT_LT(worst(waterbomb({.columns = 4, .rows = 6, .diagonal_angle = angle})), 1e-12) << angle;
+    EXPECT_LT(worst(yoshimura({.columns = 4, .rows = 5, .sector = 0.7, .diagonal_angle = angle})), 1e-12) << angle;
+  }
+}
+
+TEST(Patterns, YoshimuraBecomesATubeAtItsAngle) {
+  for (const int columns : {5, 8, 12}) {
+    const double tube = yoshimura_tube_angle(columns, radians(45));
+    const auto sheet = [&](double beyond) {
+      return yoshimura({.columns = columns, .rows = 4, .sector = radians(45), .diagonal_angle = tube + beyond});
+    };
+    const std::vector<Vec3> folded = folded_vertices(sheet(0));
+    for (int y = 0; y <= 4; ++y)
+      EXPECT_LT((folded[y * (columns + 1)] - folded[y * (columns + 1) + columns]).norm(), 1e-9) << columns << " " << y;
+    const Linkage below = make_linkage(sheet(-0.01)), beyond = make_linkage(sheet(0.02));
+    EXPECT_FALSE(CollisionChecker(below).collides(goal(below))) << columns;
+    EXPECT_TRUE(CollisionChecker(beyond).collides(goal(beyond))) << columns;
+  }
+  EXPECT_EQ(yoshimura_tube_angle(1, radians(45)), kPi);
+}
+
 TEST(Patterns, SizesOutOfRangeAreRefused) {
   EXPECT_THROW(miura({.columns = 0}), InvalidOption);
   EXPECT_THROW(miura({.sector = kPi / 2}), InvalidOption);
+  EXPECT_THROW(yoshimura({.rows = 0}), InvalidOption);
   EXPECT_THROW(waterbomb({.columns = 5}), InvalidOption);
 }
 
