@@ -48,7 +48,7 @@ TEST(Continuation, AGoalThatDoesNotCloseIsNamedWithItsVertex) {
   for (Crease& crease : cross.edges) crease.fold_angle = crease.fold_angle != 0 ? kPi / 2 : 0;
   const ContinuationResult found = continue_to_goal(cross);
   EXPECT_EQ(found.obstacle, Obstacle::GoalOpen);
-  EXPECT_EQ(found.vertex, 4);  // the centre of the 3x3 points
+  EXPECT_EQ(found.vertex, 8);  // the centre
   EXPECT_GT(found.residual, 0.1);
   EXPECT_EQ(found.path.waypoints.size(), 1u);
 }
