@@ -7,6 +7,8 @@
 
 namespace plico {
 
+constexpr std::size_t kMostKept = 4'000'000;  // sums, some 100 MB
+
 void check_path(const Linkage& linkage, const FoldingPath& path) {
   if (path.waypoints.size() < 2 || path.waypoints.front().time != 0 || path.waypoints.back().time != 1)
     throw InvalidInput("motion/times", "a motion needs waypoints from time 0 to time 1");
@@ -25,38 +27,36 @@ void check_path(const Linkage& linkage, const FoldingPath& path) {
 LinkageMotion::LinkageMotion(const Linkage& linkage, const FoldingPath& path)
     : linkage_(linkage),
       path_(path),
-      depth_(linkage.panels.size(), 0),
-      center_(linkage.panels.size()),
-      pivot_(linkage.panels.size(), Vec3::Zero()),
-      axis_(linkage.panels.size(), Vec3::UnitX()),
-      radius_(linkage.panels.size(), 0),
-      link_(linkage.panels.size(), 0),
-      turn_(linkage.panels.size(), 0),
-      kink_(linkage.panels.size(), 0),
-      turn_from_root_(linkage.panels.size(), 0) {
+      links_(linkage.panels.size()),
+      chains_(linkage.panels.size()),
+      ancestry_(linkage.parent_panel, linkage.order) {
   check_path(linkage, path);
   std::vector<double> chain(linkage.panels.size(), 0);
   double reach = 0;
+  int deepest = 0;
+  std::size_t all_chains = 0;
   for (int p : linkage.order) {
+    Link& link = links_[p];
     Vec3 sum = Vec3::Zero();
     for (const Vec3& corner : linkage.panels[p]) sum += corner;
-    center_[p] = sum / static_cast<double>(linkage.panels[p].size());
-    for (const Vec3& corner : linkage.panels[p]) radius_[p] = std::max(radius_[p], (corner - center_[p]).norm());
-    const int parent = linkage.parent_panel[p];
+    link.center = sum / static_cast<double>(linkage.panels[p].size());
+    for (const Vec3& corner : linkage.panels[p]) link.radius = std::max(link.radius, (corner - link.center).norm());
+    const int parent = link.parent = linkage.parent_panel[p];
     if (parent < 0) {
-      pivot_[p] = center_[p];
-      reach = std::max(reach, center_[p].norm() + radius_[p]);
+      link.pivot = link.center;
+      reach = std::max(reach, link.center.norm() + link.radius);
       continue;
     }
     const Hinge& hinge = linkage.hinges[linkage.parent_hinge[p]];
-    pivot_[p] = (hinge.from + hinge.to) / 2;
-    axis_[p] = (hinge.to - hinge.from).normalized();
-    link_[p] = (pivot_[p] - pivot_[parent]).norm();
-    depth_[p] = depth_[parent] + 1;
-    chain[p] = chain[parent] + link_[p];
-    reach = std::max(reach, chain[p] + (center_[p] - pivot_[p]).norm() + radius_[p] + center_[p].norm());
+    link.pivot = (hinge.from + hinge.to) / 2;
+    link.axis = (hinge.to - hinge.from).normalized();
+    link.length = (link.pivot - links_[parent].pivot).norm();
+    chain[p] = chain[parent] + link.length;
+    all_chains += ancestry_.depth(p);
+    deepest = std::max(deepest, ancestry_.depth(p));
+    reach = std::max(reach, chain[p] + (link.center - link.pivot).norm() + link.radius + link.center.norm());
   }
-  const int deepest = depth_.empty() ? 0 : *std::max_element(depth_.begin(), depth_.end());
+  keeps_all_ = all_chains <= kMostKept;
   // Each step down a chain rounds a rotation and a translation once; 16 covers their dozen operations.
   rounding_ = 16 * 2.3e-16 * (deepest + 4) * reach;
 }
@@ -80,7 +80,7 @@ void LinkageMotion::place(double time, const std::vector<char>& wanted, std::vec
       continue;
     }
     const double angle = p == linkage_.hinges[h].right ? -config_[h] : config_[h];
-    const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, axis_[p]).toRotationMatrix();
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, links_[p].axis).toRotationMatrix();
     const Vec3& from = linkage_.hinges[h].from;
     poses[p].linear().noalias() = poses[parent].linear() * turn;
     poses[p].translation() = poses[parent].linear() * (from - turn * from) + poses[parent].translation();
@@ -90,50 +90,72 @@ void LinkageMotion::place(double time, const std::vector<char>& wanted, std::vec
 
 void LinkageMotion::look_at(double start, double end, const std::vector<Pose>& at_start) {
   at_start_ = &at_start;
+  ++look_;
   configure(start, start_config_);
   configure(end, end_config_);
+  for (int p : linkage_.order) {
+    Link& link = links_[p];
+    const int h = linkage_.parent_hinge[p];
+    if (h < 0) continue;
+    link.kink = 0;
+    link.turn = std::abs(end_config_[h] - start_config_[h]);
+  }
   const auto by_time = [](double t, const Waypoint& w) { return t < w.time; };
   const auto first = std::upper_bound(path_.waypoints.begin(), path_.waypoints.end(), start, by_time);
-  std::fill(kink_.begin(), kink_.end(), 0);
   for (auto w = first; w != path_.waypoints.end() && w->time < end; ++w) {
     const double s = (w->time - start) / (end - start);
     inside_ = (1 - s) * start_config_ + s * end_config_;
     for (int p : linkage_.order)
       if (const int h = linkage_.parent_hinge[p]; h >= 0)
-        kink_[p] = std::max(kink_[p], std::abs(w->config[h] - inside_[h]));
-  }
-  for (int p : linkage_.order) {
-    const int h = linkage_.parent_hinge[p];
-    if (h < 0) continue;
-    turn_[p] = std::abs(end_config_[h] - start_config_[h]);
-    turn_from_root_[p] = turn_from_root_[linkage_.parent_panel[p]] + turn_[p];
+        links_[p].kink = std::max(links_[p].kink, std::abs(w->config[h] - inside_[h]));
   }
 }
 
+// Many panels hang on a hinge: it is placed in the world once an interval, and only when somebody asks.
+const LinkageMotion::Link& LinkageMotion::seen(int panel) const {
+  Link& link = links_[panel];
+  if (link.seen_at == look_) return link;
+  const Pose& pose = (*at_start_)[panel];
+  link.seen_at = look_;
+  link.axis_now.noalias() = pose.linear() * link.axis;
+  link.pivot_now = pose.linear() * link.pivot + pose.translation();
+  return link;
+}
+
+// Adds the next hinge up the chain.
+void LinkageMotion::Chain::climb(const Link& link, double radius) {
+  const double now = link.axis_now.cross(center - link.pivot_now).norm() + radius;
+  const double reach = std::min(now + travel, straight);
+  const double inner = sums.empty() ? 0 : sums.back().turn;
+  const Sums before = sums.empty() ? Sums{} : sums.back();
+  sums.push_back({inner + link.turn, before.reach_turn + reach * link.turn,
+                  before.less + reach * (link.turn * (2 * inner + link.turn) / 8 - link.kink)});
+  travel += reach * (link.turn + link.kink);
+  straight += link.length;
+}
+
+// Seen from the panel, turns add up toward the frame: S_j^2 - S_(j-1)^2 = D_j (2 S_k - 2 T_j - D_j) with the turns T_j
+// between hinge j and the panel and S_k of the whole chain. So all frames share the sums along one climb.
 double LinkageMotion::bend(int panel, int frame) const {
-  const Vec3 center = (*at_start_)[panel] * center_[panel];
-  const double below = frame < 0 ? 0 : turn_from_root_[frame];
-  double straight =
-      (center_[panel] - pivot_[panel]).norm() + radius_[panel];  // the chain pulled straight: never exceeded
-  double travel = 0, bend = 0;
-  for (int p = panel; p != frame && linkage_.parent_panel[p] >= 0; p = linkage_.parent_panel[p]) {
-    const Pose& pose = (*at_start_)[p];
-    const double now = (pose.linear() * axis_[p]).cross(center - pose * pivot_[p]).norm() + radius_[panel];
-    const double reach = std::min(now + travel, straight);
-    const double outer = turn_from_root_[p] - below, inner = outer - turn_[p];
-    bend += reach * ((outer * outer - inner * inner) / 8 + kink_[p]);
-    travel += reach * (turn_[p] + kink_[p]);
-    straight += link_[p];
+  const Link& moved = links_[panel];
+  // Frames share what was gathered, but chains to the root of large sheets would fill the memory.
+  const bool kept = frame >= 0 || keeps_all_;
+  Chain& chain = kept ? chains_[panel] : to_world_;
+  if (!kept || chain.seen_at != look_) {
+    chain.seen_at = look_;
+    chain.sums.clear();
+    chain.next = panel;
+    chain.travel = 0;
+    chain.straight = (moved.center - moved.pivot).norm() + moved.radius;
+    chain.center = (*at_start_)[panel] * moved.center;
   }
-  return bend;
-}
-
-int LinkageMotion::frame_of(int a, int b) const {
-  while (a != b && (a >= 0 && b >= 0)) {
-    if (depth_[a] < depth_[b]) std::swap(a, b);
-    a = linkage_.parent_panel[a];
-  }
-  return a == b ? a : -1;
+  const std::size_t length = ancestry_.depth(panel) - (frame < 0 ? 0 : ancestry_.depth(frame));
+  if (length == 0) return 0;
+  for (; chain.sums.size() < length; chain.next = links_[chain.next].parent)
+    chain.climb(seen(chain.next), moved.radius);
+  const Sums& sums = chain.sums[length - 1];
+  // The difference loses digits, at most as many as the chain has hinges times the rounding of its larger part.
+  return (0.25 + 1e-15 * static_cast<double>(length)) * sums.turn * sums.reach_turn - sums.less;
 }
 
 void LinkageMotion::want(int panel, std::vector<char>& wanted) const {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "plico/fold/folding_path.h"
+#include "plico/verify/ancestry.h"
 
 namespace plico {
 
@@ -44,7 +45,8 @@ void check_path(const Linkage& linkage, const FoldingPath& path);
 // A linkage along a polyline of configurations. On an interval every fold angle is a chord (linear) plus at most its
 // kink (0 without a waypoint inside). A point x at the end of hinges i = 1..k that turn by D_i along their chords has
 // |x''| <= sum_i sum_j D_i D_j R_max(i,j) per interval squared, with R_i a bound on its distance from the axis of hinge
-// i, so it strays from its chord by at most an eighth of that, plus sum_i kink_i R_i. bend() is O(hinges on the chain).
+// i, so it strays from its chord by at most an eighth of that, plus sum_i kink_i R_i. bend() is O(hinges on the
+// chain) the first time a panel is asked about on an interval, then O(1) for frames on that stretch.
 class LinkageMotion : public PanelMotion {
  public:
   // Both must outlive the motion. Throws InvalidInput when the path does not fit the linkage.
@@ -53,23 +55,47 @@ class LinkageMotion : public PanelMotion {
   void place(double time, const std::vector<char>& wanted, std::vector<Pose>& poses) const override;
   void look_at(double start, double end, const std::vector<Pose>& at_start) override;
   double bend(int panel, int frame) const override;
-  int frame_of(int panel_a, int panel_b) const override;
+  int frame_of(int panel_a, int panel_b) const override { return ancestry_.common(panel_a, panel_b); }
   void want(int panel, std::vector<char>& wanted) const override;
   double rounding() const override { return rounding_; }
 
  private:
+  // A panel and the hinge on which it hangs.
+  struct Link {
+    Vec3 axis_now, pivot_now;   // in the world at the start of the interval, valid when seen_at is the current look
+    double turn = 0, kink = 0;  // of the hinge on the interval
+    double length = 0;          // from its hinge's pivot to its parent's
+    int parent = -1;
+    long seen_at = -1;
+    Vec3 center = Vec3::Zero(), pivot = Vec3::Zero(), axis = Vec3::UnitX();  // flat: bounding sphere; point, direction
+    double radius = 0;                                                       // of the sphere
+  };
+  // Over the hinges from a panel up to one of them: of turn, of reach * turn, and what bend() takes off again.
+  struct Sums {
+    double turn = 0, reach_turn = 0, less = 0;
+  };
+  // What one climb from a panel toward the root has gathered.
+  struct Chain {
+    std::vector<Sums> sums;  // one entry per hinge passed
+    long seen_at = -1;
+    int next = -1;                    // panel whose hinge is passed next
+    double travel = 0, straight = 0;  // of the panel so far; from the next hinge to its farthest point, chain stretched
+    Vec3 center = Vec3::Zero();       // of the panel in the world at the start
+    void climb(const Link& link, double radius);
+  };
   void configure(double time, Configuration& config) const;
+  const Link& seen(int panel) const;
 
   const Linkage& linkage_;
   const FoldingPath& path_;
-  std::vector<int> depth_;
-  std::vector<Vec3> center_, pivot_,
-      axis_;                           // flat state, by panel: bounding sphere; a point and direction of its hinge
-  std::vector<double> radius_, link_;  // by panel: of the sphere; from its hinge's pivot to its parent's
+  mutable std::vector<Link> links_;    // by panel
+  mutable std::vector<Chain> chains_;  // by panel
+  mutable Chain to_world_;
+  bool keeps_all_ = true;  // also the chains up to the root
+  Ancestry ancestry_;
   double rounding_ = 0;
-
   const std::vector<Pose>* at_start_ = nullptr;
-  std::vector<double> turn_, kink_, turn_from_root_;  // by panel: of its hinge; sums of turn_ along the chain
+  long look_ = 0;
   mutable Configuration config_;
   Configuration start_config_, end_config_, inside_;
 };

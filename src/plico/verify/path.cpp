@@ -14,8 +14,10 @@
 namespace plico {
 namespace {
 
+// Pairs that the boxes may leave over before an interval is halved instead. Boxes of long thin panels never come apart:
+// the more halvings were of no use, the more pairs are looked at one by one.
+constexpr std::size_t kPairsPerPlateAndHalving = 4;
 constexpr int kMaxBulkHalvings = 12;  // time intervals of 1/4096 are short enough to look at pairs one by one
-constexpr int kPairsPerPlate = 10;    // that the boxes leave over before an interval is halved instead
 
 struct PlatePair {
   int a, b;        // plates
@@ -77,20 +79,26 @@ class Proof {
     ++proof_.intervals;
     motion_.look_at(start, end, at_start);
     std::vector<PlatePair> pairs;
-    const bool few = sweep_boxes(at_start, at_end, depth < kMaxBulkHalvings, pairs);
-    if (few) return some_pairs(start, end, at_start, at_end, std::move(pairs), depth);
+    const bool few = sweep_boxes(at_start, at_end, depth, pairs);
+    if (few) return settle_or_halve(start, end, at_start, at_end, std::move(pairs), depth);
     halve(start, end, {}, depth, [&](double middle, const Poses& at_middle) {
       all_pairs(start, middle, at_start, at_middle, depth + 1);
       all_pairs(middle, end, at_middle, at_end, depth + 1);
     });
   }
 
-  // These pairs on [start, end], one by one; those that remain undecided on its halves.
+  // These pairs on [start, end]; those that remain undecided on its halves.
   void some_pairs(double start, double end, const Poses& at_start, const Poses& at_end, std::vector<PlatePair> pairs,
                   int depth) {
     if (done()) return interrupt(start);
     ++proof_.intervals;
     motion_.look_at(start, end, at_start);
+    settle_or_halve(start, end, at_start, at_end, std::move(pairs), depth);
+  }
+
+  // One by one. The motion looks at [start, end] already.
+  void settle_or_halve(double start, double end, const Poses& at_start, const Poses& at_end,
+                       std::vector<PlatePair> pairs, int depth) {
     std::erase_if(pairs, [&](PlatePair& pair) {
       return proof_.verdict != PathVerdict::Free || settle(pair, start, end, at_start, at_end);
     });
@@ -118,7 +126,7 @@ class Proof {
   }
 
   // Boxes around the chords of all corners, grown by what they can stray. False when too many pairs are left.
-  bool sweep_boxes(const Poses& at_start, const Poses& at_end, bool may_halve, std::vector<PlatePair>& pairs) {
+  bool sweep_boxes(const Poses& at_start, const Poses& at_end, int depth, std::vector<PlatePair>& pairs) {
     const int n = static_cast<int>(boxes_.size());
     double stray = 0;
     for (int i = 0; i < n; ++i) {
@@ -136,7 +144,7 @@ class Proof {
     std::sort(order_.begin(), order_.end(), [&](int a, int b) {
       return boxes_[a].min().x() < boxes_[b].min().x() || (boxes_[a].min().x() == boxes_[b].min().x() && a < b);
     });
-    const std::size_t most = may_halve ? static_cast<std::size_t>(kPairsPerPlate) * n + 8 : pairs.max_size();
+    const std::size_t most = depth < kMaxBulkHalvings ? kPairsPerPlateAndHalving * depth * n + 8 : pairs.max_size();
     for (int i = 0; i < n; ++i) {
       const Eigen::AlignedBox3d& box = boxes_[order_[i]];
       for (int j = i + 1; j < n && boxes_[order_[j]].min().x() <= box.max().x(); ++j) {
