@@ -1,6 +1,9 @@
-// plico fold: a net gets a motion that is proven free of collision.
+// plico fold: a net or a crease pattern gets a motion that is proven free of collision.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -8,7 +11,7 @@
 #include "motion_report.h"
 #include "plico/base/error.h"
 #include "plico/io/fold.h"
-#include "plico/workflow/plan_motion.h"
+#include "plico/workflow/plan_origami.h"
 #include "session.h"
 
 namespace plico::cli {
@@ -16,9 +19,55 @@ namespace {
 
 struct FoldArgs {
   std::string net, planner = "auto";
-  int alternatives = 1;
-  double clearance = 0;
+  int alternatives = 1, waypoints = 50;
+  double clearance = 0, max_fold_angle = std::numeric_limits<double>::quiet_NaN();
 };
+
+constexpr const char* kLimitKey = "edges_plico:maxFoldAngle";
+
+// The material's limit of every hinge, radians; empty when neither the file nor the command line has one.
+Configuration limits_of(const FoldFile& file, const Linkage& linkage, const FoldArgs& args) {
+  const bool given = !std::isnan(args.max_fold_angle);
+  if (given && !(args.max_fold_angle >= 0 && args.max_fold_angle <= kPi))
+    throw InvalidOption(
+        fmt::format("max-fold-angle = {:.6g} degrees must be in [0, 180]", degrees(args.max_fold_angle)));
+  const auto table =
+      std::find_if(file.other.begin(), file.other.end(), [](const auto& o) { return o.first == kLimitKey; });
+  if (!given && table == file.other.end()) return {};
+  Configuration limits = Configuration::Constant(linkage.num_hinges(), given ? args.max_fold_angle : kPi);
+  if (table == file.other.end()) return limits;
+  const nlohmann::json values = nlohmann::json::parse(table->second);
+  const std::vector<int> hinges = hinge_of_edge(file.net.sheet);
+  if (!values.is_array() || values.size() > hinges.size())
+    throw InvalidInput("fold/limits", fmt::format("{} must be a list with at most one entry for each of the {} edges",
+                                                  kLimitKey, hinges.size()));
+  for (std::size_t e = 0; e < values.size(); ++e) {
+    if (values[e].is_null()) continue;
+    if (!values[e].is_number() || values[e].get<double>() < 0)
+      throw InvalidInput("fold/limits", fmt::format("{}[{}] must be degrees, at least 0, or null", kLimitKey, e));
+    if (hinges[e] >= 0) limits[hinges[e]] = std::min(limits[hinges[e]], radians(values[e].get<double>()));
+  }
+  return limits;
+}
+
+// Motions of trees stay between flat and the goal, so only the goal can exceed a limit.
+void refuse_goal_beyond(const Linkage& linkage, const Configuration& limits) {
+  for (int h = 0; h < limits.size(); ++h)
+    if (std::abs(linkage.hinges[h].target) > limits[h] + 1e-9)
+      throw InvalidInput(
+          "fold/limits",
+          fmt::format("the goal folds panels {} and {} by {:.4g} degrees, the limit is {:.4g}", linkage.hinges[h].left,
+                      linkage.hinges[h].right, degrees(std::abs(linkage.hinges[h].target)), degrees(limits[h])));
+}
+
+MotionOutcome plan(const FoldFile& file, const Linkage& linkage, const FoldArgs& args, Session& session) {
+  const MotionOptions options{session.seed(), motion_method(args.planner), args.alternatives, args.clearance,
+                              args.waypoints};
+  const Configuration limits = limits_of(file, linkage, args);
+  if (linkage.has_loops()) return plan_origami(file.net.sheet, options, limits, session.run());
+  refuse_goal_beyond(linkage, limits);
+  return plan_motion(linkage, options, session.run());
+}
 
 // "motion.fold", "motion-2.fold", ...: alternatives stand beside the first.
 std::string path_of_alternative(const std::string& path, std::size_t i) {
@@ -32,6 +81,7 @@ void write_motions(Session& session, FoldFile& file, const Linkage& linkage, con
   for (std::size_t i = 0; i < outcome.motions.size(); ++i) {
     nlohmann::json provenance = session.provenance();
     provenance["motion"] = motion_json(outcome.motions[i].proof);
+    if (linkage.has_loops()) provenance["motion"]["progress"] = outcome.progress;
     provenance["motion"]["planner"] = motion_methods()[static_cast<int>(outcome.motions[i].method)];
     file.report = provenance.dump();
     set_path(file, linkage, outcome.motions[i].path);
@@ -42,16 +92,26 @@ void write_motions(Session& session, FoldFile& file, const Linkage& linkage, con
 }
 
 int fold_file(const FoldArgs& args, Session& session) {
-  MotionOptions options{session.seed(), motion_method(args.planner), args.alternatives, args.clearance};
+  motion_method(args.planner);
   const std::vector<std::string> outputs = session.outputs("-");
   FoldFile file = read_fold(session.read(args.net), args.net);
   const Linkage linkage = make_linkage(file.net.sheet, file.net.mate);
-  const MotionOutcome outcome = plan_motion(linkage, options, session.run());
+  const MotionOutcome outcome = plan(file, linkage, args, session);
   nlohmann::json motions = nlohmann::json::array();
   for (const Motion& motion : outcome.motions) {
     motions.push_back(motion_json(motion.proof));
+    motions.back()["waypoints"] = motion.path.waypoints.size();
     motions.back()["planner"] = motion_methods()[static_cast<int>(motion.method)];
     session.say(fmt::format("{} motion: {}", motions.back()["planner"].get<std::string>(), motion_line(motion.proof)));
+    if (linkage.has_loops())
+      session.say(fmt::format("{} waypoints, {}", motion.path.waypoints.size(), loops_line(motion.proof.loops)));
+  }
+  for (const std::string& note : outcome.notes) session.say(note);
+  if (linkage.has_loops()) {
+    if (outcome.progress < 1)
+      session.say(fmt::format("reached {:.4g} % of the way to the goal", 100 * outcome.progress));
+    session.report()["progress"] = outcome.progress;
+    session.report()["notes"] = outcome.notes;
   }
   session.report()["panels"] = linkage.num_panels();
   session.report()["hinges"] = linkage.num_hinges();
@@ -65,16 +125,24 @@ int fold_file(const FoldArgs& args, Session& session) {
 
 Command fold_command() {
   auto args = std::make_shared<FoldArgs>();
-  return Command("fold", "Find a motion that folds a net, and prove that nothing collides on the way")
+  return Command("fold",
+                 "Find a motion that folds a net or a crease pattern, and prove that nothing collides on the way")
       .example("plico fold bird.fold -o motion.fold", "the straight motion if it is free, else a planned one")
       .example("plico fold bird.fold --planner uniform -o motion.fold", "as a uniformly heated sheet would fold")
       .example("plico fold bird.fold --planner lazy-prm --alternatives 3 --time-limit 60s -o motion.fold",
                "three motions that do not blend into each other")
-      .positional("net", "FOLD file with a net; - for standard input", args->net)
-      .choice("--planner", "auto tries linear, then uniform, then lazy-prm", args->planner, motion_methods())
+      .example("plico fold miura.fold --max-fold-angle 150deg -o motion.fold",
+               "a crease pattern with loops, as far as the material folds")
+      .positional("net", "FOLD file with a net or a crease pattern; - for standard input", args->net)
+      .choice("--planner", "auto tries linear, then uniform, then lazy-prm; with loops continuation", args->planner,
+              motion_methods())
       .option("--alternatives", "N", "motions wanted; written beside the first as NAME-2.fold, ...", args->alternatives)
       .option("--clearance", "LENGTH", "how far panels are shrunk, in the file's unit; 0: 1/1000 of the mean side",
               args->clearance)
+      .option("--waypoints", "N",
+              "with loops: waypoints aimed at; more are inserted where hinges would open between them", args->waypoints)
+      .angle("--max-fold-angle", "largest fold angle that the material allows; the file may limit each crease",
+             args->max_fold_angle)
       .action([args](Session& session) { return fold_file(*args, session); });
 }
 

@@ -9,5 +9,6 @@ namespace plico::cli {
 
 nlohmann::json motion_json(const PathProof& proof);
 std::string motion_line(const PathProof& proof);  // one line for people
+std::string loops_line(const LoopReport& loops);  // how well a sheet with loops stays closed
 
 }  // namespace plico::cli

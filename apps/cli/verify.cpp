@@ -141,12 +141,19 @@ int verify_motion_file(const FoldFile& file, const VerifyArgs& args, Session& se
   report["hinges"] = linkage.num_hinges();
   report["waypoints"] = file.path->waypoints.size();
   report["motion"] = motion_json(proof);
+  // A motion may rightly end before the goal; whoever reads the answer should know.
+  const double short_of_goal = (file.path->waypoints.back().config - goal(linkage)).lpNorm<Eigen::Infinity>();
+  report["short_of_goal_deg"] = degrees(short_of_goal);
   const bool valid = proof.verdict == PathVerdict::Free;
   report["valid"] = valid;
   session.print(fmt::format("motion     {}, {}, {}\n", count(linkage.num_panels(), "panel"),
                             count(linkage.num_hinges(), "fold"),
                             count(static_cast<long>(file.path->waypoints.size()), "waypoint")));
   session.print(fmt::format("proof      {}\n", motion_line(proof)));
+  if (linkage.has_loops()) session.print(fmt::format("loops      {}\n", loops_line(proof.loops)));
+  if (short_of_goal > radians(0.5))
+    session.print(
+        fmt::format("goal       not reached: a fold angle ends {:.4g} degrees short of it\n", degrees(short_of_goal)));
   if (args.noise > 0 && !run.over()) report_noise(file, linkage, args, session);
   session.print(fmt::format("verified   {}\n", proof.interrupted ? "not finished" : valid ? "yes" : "no"));
   if (proof.interrupted) return Session::exit_code(run.ending());

@@ -77,6 +77,7 @@ void SheetMotion::bound_gaps() {
       const double turn = turn_between(p, w);
       bend[p] = turn * turn / 8;
     }
+    gaps_.push_back(0);
     for (int h = 0; h < linkage_.num_hinges(); ++h) {
       const Hinge& hinge = linkage_.hinges[h];
       double gap = 0;
@@ -88,6 +89,7 @@ void SheetMotion::bound_gaps() {
       loops_.twist = std::max(loops_.twist, 2 * (bend[hinge.left] + bend[hinge.right]) + own * own / 4);
       // Panels go the short way around; a fold angle that goes the long way would lead them through each other.
       if (std::abs(own) > kPi / 2) gap = std::max(gap, (hinge.to - hinge.from).norm());
+      gaps_.back() = std::max(gaps_.back(), gap);
       if (gap <= loops_.gap && loops_.gap_hinge >= 0) continue;
       loops_.gap = gap;
       loops_.gap_hinge = h;

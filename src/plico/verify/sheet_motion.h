@@ -34,6 +34,8 @@ class SheetMotion : public PanelMotion {
   SheetMotion(const Linkage& linkage, const FoldingPath& path);
 
   const LoopReport& loops() const { return loops_; }
+  // How far a hinge may open between `waypoint` and the next; grows with the square of the step.
+  double gap_after(int waypoint) const { return gaps_[waypoint]; }
 
   void place(double time, const std::vector<char>& wanted, std::vector<Pose>& poses) const override;
   void look_at(double start, double end, const std::vector<Pose>& at_start) override;
@@ -65,6 +67,7 @@ class SheetMotion : public PanelMotion {
   std::vector<Vec3> center_;    // flat state, by panel
   std::vector<double> radius_;  // of the panel around it
   std::vector<std::vector<Stand>> stands_;
+  std::vector<double> gaps_;
   LoopReport loops_;
   double rounding_ = 0;
   double start_ = 0, end_ = 1;  // what bend() speaks of

@@ -10,7 +10,8 @@
 namespace plico {
 namespace {
 
-constexpr std::array<std::string_view, 6> kMethods = {"auto", "linear", "uniform", "lazy-prm", "rrt-connect", "prm"};
+constexpr std::array<std::string_view, 7> kMethods = {"auto",        "linear", "uniform",     "lazy-prm",
+                                                      "rrt-connect", "prm",    "continuation"};
 constexpr int kTriesPerAlternative = 20;
 
 Planner planner_of(MotionMethod method) {
@@ -95,6 +96,8 @@ MotionMethod motion_method(std::string_view name) {
 MotionOutcome plan_motion(const Linkage& linkage, const MotionOptions& options, const Run& run) {
   if (options.alternatives < 1)
     throw InvalidOption(fmt::format("alternatives = {} must be at least 1", options.alternatives));
+  if (options.method == MotionMethod::Continuation)
+    throw InvalidOption("continuation is for crease patterns with loops; this sheet has none");
   return Planning(linkage, options, run).plan();
 }
 

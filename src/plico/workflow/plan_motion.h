@@ -11,7 +11,8 @@
 
 namespace plico {
 
-enum class MotionMethod { Auto, Linear, Uniform, LazyPrm, RrtConnect, Prm };
+// Continuation is for sheets with loops (workflow/plan_origami.h), the other planners for trees.
+enum class MotionMethod { Auto, Linear, Uniform, LazyPrm, RrtConnect, Prm, Continuation };
 std::vector<std::string> motion_methods();          // "auto", "linear", ..., in the order above
 MotionMethod motion_method(std::string_view name);  // throws InvalidOption
 
@@ -20,6 +21,7 @@ struct MotionOptions {
   MotionMethod method = MotionMethod::Auto;  // Auto: linear, else uniform, else lazy-prm
   int alternatives = 1;                      // motions wanted, none of which blends straight into another; at least 1
   double clearance = 0;                      // units; 0: 1e-3 of the mean side length
+  int waypoints = 50;                        // with loops: aimed at before those that the gap asks for; at least 1
 };
 
 struct Motion {
@@ -30,11 +32,16 @@ struct Motion {
 
 struct MotionOutcome {
   Ending ending = Ending::Exhausted;  // Found: as many proven motions as were wanted
-  std::vector<Motion> motions;        // at least one; without a proven one, the best: the motion that gets farthest
+  // At least one for trees; without a proven one, the best: the motion that gets farthest. With loops, a motion that
+  // ends early leads as far as the sheet gets, and there is none when it cannot leave the flat state.
+  std::vector<Motion> motions;
+  double progress = 1;             // with loops: of the way to the goal, of the motion
+  std::vector<std::string> notes;  // with loops: what stood in the way, or was done to get there; sentences
   bool proven() const { return !motions.empty() && motions.front().proof.verdict == PathVerdict::Free; }
 };
 
-// Every motion handed out as Free was proven by verify/path.h, whoever made it.
+// Every motion handed out as Free was proven by verify/path.h, whoever made it. For linkages without loops; throws
+// InvalidOption for a method that is for sheets with loops.
 MotionOutcome plan_motion(const Linkage& linkage, const MotionOptions& options = {}, const Run& run = {});
 
 // How often a motion still folds when creases are made inexactly: in each sample every fold angle is off by a random

@@ -1,0 +1,209 @@
+#include "plico/workflow/plan_origami.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "plico/base/error.h"
+#include "plico/origami/continuation.h"
+
+namespace plico {
+namespace {
+
+constexpr double kGapShare = 0.2;     // of the clearance, that hinges may open by between waypoints
+constexpr int kMostPieces = 64;       // that one step is cut into at once
+constexpr int kRefinements = 3;       // the first does nearly all; the others meet steps that were not straight
+constexpr double kLimitSlack = 1e-9;  // radians
+constexpr int kMostLimitedNamed = 3;
+
+std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
+
+std::string place_of(const CreasePattern& sheet, int vertex) {
+  return fmt::format("vertex {} ({:.6g}, {:.6g})", vertex, sheet.vertices[vertex].x(), sheet.vertices[vertex].y());
+}
+
+std::string crease_of(const CreasePattern& sheet, int hinge) {
+  const std::vector<int> hinges = hinge_of_edge(sheet);
+  const auto edge = static_cast<int>(std::find(hinges.begin(), hinges.end(), hinge) - hinges.begin());
+  const Crease& crease = sheet.edges[edge];
+  const Vec2 middle = (sheet.vertices[crease.a] + sheet.vertices[crease.b]) / 2;
+  return fmt::format("crease {} (vertices {}-{}, near {:.6g} {:.6g})", edge, crease.a, crease.b, middle.x(),
+                     middle.y());
+}
+
+std::string obstacle_note(const CreasePattern& sheet, const ContinuationResult& result) {
+  const std::string where = percent(result.progress);
+  switch (result.obstacle) {
+    case Obstacle::None:
+      return {};
+    case Obstacle::GoalOpen:
+      return fmt::format("not rigid: the goal stays open by {:.3g} rad at {}", result.residual,
+                         place_of(sheet, result.vertex));
+    case Obstacle::Locked:
+      if (result.hinge >= 0)
+        return fmt::format("locked at {} of the way: {} would have to jump", where, crease_of(sheet, result.hinge));
+      return fmt::format("not rigid: locked at {} of the way, best residual {:.3g} rad at {}", where, result.residual,
+                         place_of(sheet, result.vertex));
+    case Obstacle::WrongSide:
+      return fmt::format("left the branch at {} of the way: {} would turn against its goal", where,
+                         crease_of(sheet, result.hinge));
+    case Obstacle::Collision:
+      return fmt::format("collides after {} of the way, in frame {}: panels {}, {}", where,
+                         result.path.waypoints.size(), result.panels.a, result.panels.b);
+  }
+  return {};
+}
+
+void scale_times(FoldingPath& path) {
+  const double last = path.waypoints.back().time;
+  for (Waypoint& w : path.waypoints) w.time /= last;
+  path.waypoints.back().time = 1;
+}
+
+class OrigamiPlanning {
+ public:
+  OrigamiPlanning(CreasePattern sheet, const MotionOptions& options, const Configuration& limits, const Run& run)
+      : sheet_(std::move(sheet)), options_(options), limits_(limits), run_(run), linkage_(make_linkage(sheet_)) {
+    if (limits_.size() != 0 && limits_.size() != linkage_.num_hinges())
+      throw InvalidInput("limits/size", fmt::format("{} limits for {} creases", limits_.size(), linkage_.num_hinges()));
+    clearance_ = options.clearance > 0 ? options.clearance : default_clearance(linkage_);
+  }
+
+  MotionOutcome plan() {
+    close_goal();
+    const bool within = goal_within_limits();
+    ContinuationOptions continuation;
+    continuation.frames = options_.waypoints;
+    continuation.collision.clearance = options_.clearance;
+    if (within && limits_.size() > 0) {
+      continuation.projection.low = -limits_;
+      continuation.projection.high = limits_;
+    }
+    const ContinuationResult found = continue_to_goal(sheet_, continuation, run_);
+    outcome_.ending = found.ending;
+    outcome_.progress = found.progress;
+    if (const std::string note = obstacle_note(sheet_, found); !note.empty()) outcome_.notes.push_back(note);
+    if (found.path.waypoints.size() > 1) prove(found.path);
+    if (run_.over() && !outcome_.proven()) outcome_.ending = run_.ending();
+    return std::move(outcome_);
+  }
+
+ private:
+  // Angles in files are often rounded; what is nearly closed is meant to be closed.
+  void close_goal() {
+    const Configuration wanted = goal(linkage_);
+    Projector projector(sheet_);
+    if (closure(projector.vertices(), wanted).worst <= 1e-9) return;
+    const Projection projection = projector.project(wanted);
+    const double move = (projection.config - wanted).cwiseAbs().maxCoeff();
+    if (!projection.closed || move > kMostGoalMove) return;
+    const std::vector<int> hinges = hinge_of_edge(sheet_);
+    for (int e = 0; e < sheet_.num_edges(); ++e)
+      if (hinges[e] >= 0) sheet_.edges[e].fold_angle = projection.config[hinges[e]];
+    linkage_ = make_linkage(sheet_);
+    outcome_.notes.push_back(
+        fmt::format("goal angles moved by up to {:.3g} degrees so that they close", degrees(move)));
+  }
+
+  bool goal_within_limits() {
+    if (limits_.size() == 0) return true;
+    std::vector<int> beyond;
+    for (int h = 0; h < linkage_.num_hinges(); ++h)
+      if (std::abs(linkage_.hinges[h].target) > limits_[h] + kLimitSlack) beyond.push_back(h);
+    if (beyond.empty()) return true;
+    std::string creases;
+    for (std::size_t i = 0; i < beyond.size() && i < kMostLimitedNamed; ++i)
+      creases += (i ? ", " : "") + crease_of(sheet_, beyond[i]);
+    const int first = beyond.front();
+    outcome_.notes.push_back(fmt::format(
+        "limited: the goal folds {} crease{} beyond the material, the first to {:.4g} degrees, {:.4g} allowed: {}{}",
+        beyond.size(), beyond.size() == 1 ? "" : "s", degrees(std::abs(linkage_.hinges[first].target)),
+        degrees(limits_[first]), creases, beyond.size() > kMostLimitedNamed ? ", ..." : ""));
+    return false;
+  }
+
+  // Ends the path before its first waypoint beyond the limits.
+  void keep_limits(FoldingPath& path) {
+    if (limits_.size() == 0) return;
+    const auto beyond = std::find_if(path.waypoints.begin(), path.waypoints.end(), [&](const Waypoint& w) {
+      return ((w.config.cwiseAbs() - limits_).array() > kLimitSlack).any();
+    });
+    if (beyond == path.waypoints.end()) return;
+    path.waypoints.erase(beyond, path.waypoints.end());
+    outcome_.ending = Ending::Exhausted;
+    outcome_.progress = path.waypoints.empty() ? 0 : path.waypoints.back().time;
+  }
+
+  void prove(const FoldingPath& planned) {
+    FoldingPath path = planned;
+    const double reached = path.waypoints.back().time;
+    scale_times(path);
+    path = refine_path(sheet_, path, kGapShare * clearance_, run_);
+    for (Waypoint& w : path.waypoints) w.time *= reached;
+    keep_limits(path);
+    if (path.waypoints.size() < 2) return;
+    scale_times(path);
+    Motion motion{MotionMethod::Continuation, std::move(path), {}};
+    motion.proof = prove_path(linkage_, motion.path, {.clearance = options_.clearance}, run_);
+    if (motion.proof.verdict != PathVerdict::Free && outcome_.ending == Ending::Found)
+      outcome_.ending = Ending::Exhausted;
+    outcome_.motions.push_back(std::move(motion));
+  }
+
+  CreasePattern sheet_;
+  const MotionOptions& options_;
+  const Configuration& limits_;
+  const Run& run_;
+  Linkage linkage_;
+  double clearance_ = 0;
+  MotionOutcome outcome_;
+};
+
+// Waypoints strictly between two, or none when the sheet does not close near the straight line.
+std::vector<Waypoint> between(Projector& projector, const Waypoint& a, const Waypoint& b, int pieces) {
+  std::vector<Waypoint> inserted;
+  const double most = 0.5 * (b.config - a.config).cwiseAbs().maxCoeff();
+  for (int i = 1; i < pieces; ++i) {
+    const double share = static_cast<double>(i) / pieces;
+    const Configuration straight = (1 - share) * a.config + share * b.config;
+    Projection projection = projector.project(straight);
+    if (!projection.closed || (projection.config - straight).cwiseAbs().maxCoeff() > most) return {};
+    inserted.push_back({(1 - share) * a.time + share * b.time, std::move(projection.config)});
+  }
+  return inserted;
+}
+
+}  // namespace
+
+FoldingPath refine_path(const CreasePattern& sheet, const FoldingPath& path, double gap, const Run& run) {
+  if (!(gap > 0)) throw InvalidOption(fmt::format("gap = {} must be above 0", gap));
+  const Linkage linkage = make_linkage(sheet);
+  Projector projector(sheet);
+  FoldingPath refined = path;
+  for (int i = 0; i < kRefinements; ++i) {
+    const SheetMotion motion(linkage, refined);
+    if (motion.loops().gap <= gap) break;
+    FoldingPath next;
+    const std::vector<Waypoint>& old = refined.waypoints;
+    for (std::size_t w = 0; w < old.size(); ++w) {
+      next.waypoints.push_back(old[w]);
+      if (w + 1 == old.size() || motion.gap_after(static_cast<int>(w)) <= gap || run.over()) continue;
+      const int pieces = std::min(
+          kMostPieces, static_cast<int>(std::ceil(std::sqrt(1.05 * motion.gap_after(static_cast<int>(w)) / gap))));
+      for (Waypoint& inserted : between(projector, old[w], old[w + 1], pieces))
+        next.waypoints.push_back(std::move(inserted));
+    }
+    if (next.waypoints.size() == old.size()) break;
+    refined = std::move(next);
+  }
+  return refined;
+}
+
+MotionOutcome plan_origami(const CreasePattern& sheet, const MotionOptions& options, const Configuration& limits,
+                           const Run& run) {
+  if (options.method != MotionMethod::Auto && options.method != MotionMethod::Continuation)
+    throw InvalidOption(fmt::format("{} is for sheets without loops; try auto or continuation",
+                                    motion_methods()[static_cast<int>(options.method)]));
+  return OrigamiPlanning(sheet, options, limits, run).plan();
+}
+
+}  // namespace plico

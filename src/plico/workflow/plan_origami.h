@@ -1,0 +1,26 @@
+// From a crease pattern with loops to a proven motion, or to what stands in its way.
+#pragma once
+#include "plico/workflow/plan_motion.h"
+
+namespace plico {
+
+// Continuation from flat to the goal (origami/continuation.h); then waypoints are inserted, each projected to the
+// closure, until no hinge opens between two of them by more than a fifth of the clearance; then the proof
+// (verify/path.h).
+//   - A goal that almost closes, as one rounded to a few digits does, is first moved to the nearest that does: at most
+//     kMostGoalMove. Nothing is moved farther.
+//   - `limits` has the largest size of each hinge's fold angle, radians; empty for none. A motion that would exceed one
+//     ends before that.
+//   - A plan that ends early gives the motion up to there, its times scaled to [0, 1], and Ending::Exhausted; `notes`
+//     say why: "not rigid: ...", "left the branch ...", "collides ...", "limited ...".
+// Deterministic. Throws InvalidOption for a method that is for trees, InvalidInput when sizes differ.
+MotionOutcome plan_origami(const CreasePattern& sheet, const MotionOptions& options = {},
+                           const Configuration& limits = {}, const Run& run = {});
+
+inline constexpr double kMostGoalMove = radians(0.5);
+
+// The path with waypoints inserted, each closed, until hinges open between two by at most `gap` units, if they can be
+// found near the straight line between their neighbours. Times of the given waypoints stay. O(waypoints * creases).
+FoldingPath refine_path(const CreasePattern& sheet, const FoldingPath& path, double gap, const Run& run = {});
+
+}  // namespace plico

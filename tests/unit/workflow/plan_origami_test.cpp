@@ -1,0 +1,107 @@
+#include "plico/workflow/plan_origami.h"
+
+#include <gmock/gmock.h>
+
+#include "plico/base/error.h"
+#include "plico/origami/bases.h"
+#include "plico/origami/closure.h"
+#include "plico/origami/patterns.h"
+
+namespace plico {
+namespace {
+
+using testing::StartsWith;
+
+TEST(PlanOrigami, EveryMotionIsProvenAndOpensByAFifthOfTheClearance) {
+  for (const auto& [name, sheet] :
+       std::vector<std::pair<const char*, CreasePattern>>{{"l2", l2()},
+                                                          {"waterbomb base", waterbomb_base()},
+                                                          {"diamond", diamond()},
+                                                          {"box2", box2()},
+                                                          {"fly2", fly2()},
+                                                          {"flat miura", miura({.columns = 4, .rows = 5})},
+                                                          {"waterbomb", waterbomb({.columns = 6, .rows = 4})}}) {
+    SCOPED_TRACE(name);
+    const MotionOutcome outcome = plan_origami(sheet);
+    ASSERT_EQ(outcome.ending, Ending::Found);
+    ASSERT_TRUE(outcome.proven());
+    const PathProof& proof = outcome.motions.front().proof;
+    EXPECT_LE(proof.loops.gap, 0.2 * proof.clearance);
+    EXPECT_LT(proof.loops.residual, 1e-11);
+    EXPECT_TRUE(outcome.notes.empty());
+    const Configuration end = outcome.motions.front().path.waypoints.back().config;
+    EXPECT_LT((end - goal(make_linkage(sheet))).lpNorm<Eigen::Infinity>(), 1e-12);
+  }
+}
+
+TEST(PlanOrigami, RefinedWaypointsCloseAndKeepTheGivenOnes) {
+  const CreasePattern sheet = miura({.zigzag_angle = radians(100)});
+  const Linkage linkage = make_linkage(sheet);
+  FoldingPath path;
+  path.waypoints = {{0, goal(make_linkage(miura({.zigzag_angle = radians(60)})))}, {1, goal(linkage)}};
+  const FoldingPath refined = refine_path(sheet, path, 1e-4);
+  EXPECT_GT(refined.waypoints.size(), 10u);
+  EXPECT_LE(SheetMotion(linkage, refined).loops().gap, 1e-4);
+  EXPECT_EQ(refined.waypoints.front().config, path.waypoints.front().config);
+  EXPECT_EQ(refined.waypoints.back().config, path.waypoints.back().config);
+  for (const Waypoint& w : refined.waypoints) EXPECT_LT(closure(real_vertices(sheet), w.config).worst, 1e-12);
+}
+
+TEST(PlanOrigami, AGoalThatIsNotRigidGetsItsVertexAndNoMotion) {
+  CreasePattern cross = l2();
+  for (Crease& crease : cross.edges) crease.fold_angle = crease.fold_angle != 0 ? kPi / 2 : 0;
+  const MotionOutcome outcome = plan_origami(cross);
+  EXPECT_EQ(outcome.ending, Ending::Exhausted);
+  EXPECT_TRUE(outcome.motions.empty());
+  EXPECT_EQ(outcome.progress, 0);
+  ASSERT_EQ(outcome.notes.size(), 1u);
+  EXPECT_THAT(outcome.notes.front(), StartsWith("not rigid: the goal stays open by"));
+}
+
+TEST(PlanOrigami, ACollisionEndsTheMotionBeforeIt) {
+  const MotionOutcome outcome = plan_origami(waterbomb({.columns = 12, .rows = 4, .diagonal_angle = radians(55)}));
+  EXPECT_EQ(outcome.ending, Ending::Exhausted);
+  ASSERT_TRUE(outcome.proven());
+  EXPECT_NEAR(outcome.progress, 49.28 / 55, 0.03);
+  EXPECT_EQ(outcome.motions.front().path.waypoints.back().time, 1);
+  EXPECT_THAT(outcome.notes.back(), StartsWith("collides after"));
+}
+
+TEST(PlanOrigami, RoundedGoalsAreMovedToTheNearestThatCloses) {
+  CreasePattern sheet = miura({.zigzag_angle = radians(100)});
+  for (Crease& crease : sheet.edges) crease.fold_angle = radians(std::round(10 * degrees(crease.fold_angle)) / 10);
+  const MotionOutcome outcome = plan_origami(sheet);
+  EXPECT_EQ(outcome.ending, Ending::Found);
+  EXPECT_THAT(outcome.notes.front(), StartsWith("goal angles moved by up to 0.0"));
+}
+
+TEST(PlanOrigami, StopsWhereTheMaterialDoes) {
+  const CreasePattern sheet = miura({.zigzag_angle = radians(120)});
+  const Configuration limits = Configuration::Constant(make_linkage(sheet).num_hinges(), radians(90));
+  const MotionOutcome outcome = plan_origami(sheet, {}, limits);
+  EXPECT_EQ(outcome.ending, Ending::Exhausted);
+  ASSERT_TRUE(outcome.proven());
+  EXPECT_THAT(outcome.notes.front(), StartsWith("limited: the goal folds"));
+  double largest = 0;
+  for (const Waypoint& w : outcome.motions.front().path.waypoints)
+    largest = std::max(largest, w.config.lpNorm<Eigen::Infinity>());
+  EXPECT_LE(largest, radians(90) + 1e-9);
+  EXPECT_GT(largest, radians(85));
+  const Configuration wide = Configuration::Constant(limits.size(), radians(121));
+  EXPECT_EQ(plan_origami(sheet, {}, wide).ending, Ending::Found);
+}
+
+TEST(PlanOrigami, OptionsAreChecked) {
+  EXPECT_THROW(plan_origami(miura(), {.method = MotionMethod::LazyPrm}), InvalidOption);
+  EXPECT_THROW(plan_origami(miura(), {.waypoints = 0}), InvalidOption);
+  EXPECT_THROW(plan_origami(miura(), {}, Configuration::Zero(2)), InvalidInput);
+  EXPECT_THROW(refine_path(miura(), {}, 0), InvalidOption);
+}
+
+TEST(PlanOrigami, OutOfTimeIsSaid) {
+  const MotionOutcome outcome = plan_origami(miura({.columns = 8, .rows = 8}), {}, {}, limited({}, 0));
+  EXPECT_EQ(outcome.ending, Ending::TimedOut);
+}
+
+}  // namespace
+}  // namespace plico
