@@ -15,6 +15,8 @@ std::vector<Command> all_commands() {
       fold_command(),
       print_command(),
       sample_command(),
+      origami_make_command(),
+      origami_info_command(),
       verify_command(),
       man_command(),
       completions_command(),

@@ -14,6 +14,8 @@ Command sample_command();
 Command export_command();
 Command fold_command();
 Command verify_command();
+Command origami_make_command();
+Command origami_info_command();
 Command print_command();
 Command man_command();
 Command completions_command();

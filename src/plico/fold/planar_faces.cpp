@@ -30,7 +30,9 @@ bool edges_clash(const std::vector<Vec2>& at, const Crease& e, const Crease& f) 
   return p == q || on_segment(at[p], at[hub], at[q]) || on_segment(at[q], at[hub], at[p]);
 }
 
-void check_planar(const std::vector<Vec2>& at, const std::vector<Crease>& edges) {
+// Calls `visit(e, f)` for every pair of edges that clash, e after f along x, until it returns true.
+template <class Visit>
+void sweep_clashes(const std::vector<Vec2>& at, const std::vector<Crease>& edges, Visit visit) {
   const auto low_x = [&](int e) { return std::min(at[edges[e].a].x(), at[edges[e].b].x()); };
   const auto high_x = [&](int e) { return std::max(at[edges[e].a].x(), at[edges[e].b].x()); };
   std::vector<int> order(edges.size()), active;
@@ -38,20 +40,27 @@ void check_planar(const std::vector<Vec2>& at, const std::vector<Crease>& edges)
   std::stable_sort(order.begin(), order.end(), [&](int e, int f) { return low_x(e) < low_x(f); });
   for (int e : order) {
     const Vec2 &a = at[edges[e].a], &b = at[edges[e].b];
-    if (a == b) throw InvalidInput("fold/edge-length", fmt::format("edge {} has no length", e), near(a));
+    if (a == b) continue;
     std::erase_if(active, [&](int f) { return high_x(f) < low_x(e); });
     const double low = std::min(a.y(), b.y()), high = std::max(a.y(), b.y());
     for (int f : active) {
       const Vec2 &c = at[edges[f].a], &d = at[edges[f].b];
       if (std::max(c.y(), d.y()) < low || high < std::min(c.y(), d.y())) continue;
-      if (edges_clash(at, edges[e], edges[f]))
-        throw InvalidInput(
-            "fold/edges-cross",
-            fmt::format("edges {} and {} meet away from a common vertex", std::min(e, f), std::max(e, f)),
-            near((a + b) / 2), "split the edges where they meet");
+      if (edges_clash(at, edges[e], edges[f]) && visit(e, f)) return;
     }
     active.push_back(e);
   }
+}
+
+void check_planar(const std::vector<Vec2>& at, const std::vector<Crease>& edges) {
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    if (at[edges[e].a] == at[edges[e].b])
+      throw InvalidInput("fold/edge-length", fmt::format("edge {} has no length", e), near(at[edges[e].a]));
+  sweep_clashes(at, edges, [&](int e, int f) -> bool {
+    throw InvalidInput("fold/edges-cross",
+                       fmt::format("edges {} and {} meet away from a common vertex", std::min(e, f), std::max(e, f)),
+                       near((at[edges[e].a] + at[edges[e].b]) / 2), "split the edges where they meet");
+  });
 }
 
 // Halfedge 2 e runs a -> b along edge e, halfedge 2 e + 1 runs back.
@@ -186,6 +195,16 @@ class Walker {
 std::vector<std::vector<int>> planar_faces(const std::vector<Vec2>& vertices, const std::vector<Crease>& edges) {
   check_planar(vertices, edges);
   return Walker(vertices, edges).run();
+}
+
+std::vector<std::pair<int, int>> clashing_edges(const std::vector<Vec2>& vertices, const std::vector<Crease>& edges) {
+  std::vector<std::pair<int, int>> clashes;
+  sweep_clashes(vertices, edges, [&](int e, int f) {
+    clashes.emplace_back(std::min(e, f), std::max(e, f));
+    return false;
+  });
+  std::sort(clashes.begin(), clashes.end());
+  return clashes;
 }
 
 }  // namespace plico

@@ -1,5 +1,6 @@
 // The faces that straight edges cut out of the plane.
 #pragma once
+#include <utility>
 #include <vector>
 
 #include "plico/fold/crease_pattern.h"
@@ -13,5 +14,9 @@ namespace plico {
 // Decisions are exact. Throws InvalidInput when an edge has no length, or two edges meet anywhere but at a vertex of
 // both. O(n log n) when edges are short against the drawing.
 std::vector<std::vector<int>> planar_faces(const std::vector<Vec2>& vertices, const std::vector<Crease>& edges);
+
+// All pairs of edges that meet anywhere but at a vertex of both, the lower first, ascending. Edges without a length
+// take no part. Decisions are exact. O(n log n) when edges are short against the drawing.
+std::vector<std::pair<int, int>> clashing_edges(const std::vector<Vec2>& vertices, const std::vector<Crease>& edges);
 
 }  // namespace plico
