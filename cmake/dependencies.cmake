@@ -12,3 +12,4 @@ pkg_check_modules(ompl REQUIRED IMPORTED_TARGET GLOBAL ompl)
 # Its flags name an older C++ standard than ours, and libraries that only its own build needs.
 set_target_properties(PkgConfig::ompl PROPERTIES INTERFACE_COMPILE_OPTIONS "" INTERFACE_LINK_DIRECTORIES ""
                                                  INTERFACE_LINK_OPTIONS "" INTERFACE_LINK_LIBRARIES ompl)
+pkg_check_modules(nlopt REQUIRED IMPORTED_TARGET GLOBAL nlopt)

@@ -1,0 +1,142 @@
+#include "plico/origami/frog.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "plico/base/error.h"
+#include "plico/base/rng.h"
+
+namespace plico {
+namespace {
+
+void check(const FrogOptions& o) {
+  if (!(o.step > 0)) throw InvalidOption(fmt::format("step = {} must be above 0", o.step));
+  if (!(o.initial_weight >= 0 && o.initial_weight <= 1))
+    throw InvalidOption(fmt::format("initial weight = {} must be in [0, 1]", o.initial_weight));
+  if (!(o.reward >= 0)) throw InvalidOption(fmt::format("reward = {} must be at least 0", o.reward));
+  if (!(o.penalty >= 0)) throw InvalidOption(fmt::format("penalty = {} must be at least 0", o.penalty));
+  if (o.max_samples < 1) throw InvalidOption(fmt::format("max samples = {} must be at least 1", o.max_samples));
+}
+
+// Time by length, so that every part of the path goes at the same speed.
+void spread_time(FoldingPath& path) {
+  double length = 0;
+  for (std::size_t i = 0; i < path.waypoints.size(); ++i) {
+    if (i > 0) length += (path.waypoints[i].config - path.waypoints[i - 1].config).norm();
+    path.waypoints[i].time = length;
+  }
+  for (Waypoint& waypoint : path.waypoints) waypoint.time = length > 0 ? waypoint.time / length : 0;
+}
+
+// A mountain stays a mountain; a crease that ends flat may go either way.
+double lowest(double target) { return target > 0 ? 0 : -kPi; }
+
+}  // namespace
+
+class Frog::Search {
+ public:
+  Search(const CreasePattern& sheet, const FrogOptions& options)
+      : options_(options),
+        linkage_(make_linkage(sheet)),
+        projector_(sheet),
+        checker_(linkage_, options.collision),
+        target_(goal(linkage_)) {
+    check(options);
+    if (options_.projection.low.size() == 0) options_.projection.low = target_.unaryExpr(&lowest);
+    if (options_.projection.high.size() == 0) options_.projection.high = -(-target_).unaryExpr(&lowest);
+    if (options_.nlopt.low.size() == 0) options_.nlopt.low = options_.projection.low;
+    if (options_.nlopt.high.size() == 0) options_.nlopt.high = options_.projection.high;
+  }
+
+  FrogResult plan(const Configuration& start, const Configuration& goal, const Run& run) {
+    FrogResult result;
+    result.path.waypoints.push_back({0, start});
+    result.distance = (goal - start).norm();
+    if (!valid_end(start, result) || !valid_end(goal, result)) return result;
+    Rng rng(options_.seed);
+    double weight = options_.initial_weight;
+    while (result.distance > 0) {
+      if (run.over() || result.counts.sampled >= options_.max_samples) {
+        if (run.over()) result.ending = run.ending();
+        spread_time(result.path);
+        return result;
+      }
+      const bool closer = result.distance <= options_.step ? reach(goal, result) : extend(goal, weight, rng, result);
+      weight = std::clamp(closer ? weight + options_.reward : weight - options_.penalty, 0.0, 1.0);
+      if (result.counts.sampled % 100 == 0) run.report("samples", result.counts.sampled, options_.max_samples);
+    }
+    spread_time(result.path);
+    result.ending = Ending::Found;
+    return result;
+  }
+
+ private:
+  double tolerance() const {
+    return std::max(1e-9,
+                    options_.find == FindFoldable::Nlopt ? options_.nlopt.tolerance : options_.projection.tolerance);
+  }
+
+  bool valid_end(const Configuration& config, FrogResult& result) {
+    ++result.counts.tested;
+    const double open = closure(projector_.vertices(), config).worst;
+    result.worst_residual = std::max(result.worst_residual, open);
+    return open <= tolerance() && !collides(config);
+  }
+
+  bool collides(const Configuration& config) { return options_.check_collisions && checker_.collides(config); }
+
+  Projection find_foldable(const Configuration& near) {
+    return options_.find == FindFoldable::Nlopt ? project_by_nlopt(projector_.vertices(), near, options_.nlopt)
+                                                : projector_.project(near, options_.projection);
+  }
+
+  // The last step goes to the goal itself, which was tested before.
+  static bool reach(const Configuration& goal, FrogResult& result) {
+    result.path.waypoints.push_back({0, goal});
+    result.distance = 0;
+    return true;
+  }
+
+  // Lines 4 to 13 of algorithm 1.
+  bool extend(const Configuration& goal, double weight, Rng& rng, FrogResult& result) {
+    const Configuration& closest = result.path.waypoints.back().config;
+    Configuration random(closest.size());
+    for (int h = 0; h < random.size(); ++h)
+      random[h] = rng.uniform(options_.projection.low[h], options_.projection.high[h]);
+    const Configuration direction = (1 - weight) * (random - closest) + weight * (goal - closest);
+    ++result.counts.sampled;
+    const Projection found = find_foldable(closest + options_.step * direction.normalized());
+    result.counts.tested += found.steps + 1;
+    if (!found.closed || (found.config - closest).norm() > 2 * options_.step || collides(found.config)) return false;
+    ++result.counts.valid;
+    const double distance = (goal - found.config).norm();
+    if (distance >= result.distance) return false;
+    result.distance = distance;
+    result.worst_residual = std::max(result.worst_residual, found.closure.worst);
+    result.path.waypoints.push_back({0, found.config});
+    return true;
+  }
+
+  FrogOptions options_;
+  Linkage linkage_;
+  Projector projector_;
+  CollisionChecker checker_;
+  Configuration target_;
+};
+
+Frog::Frog(const CreasePattern& sheet, const FrogOptions& options)
+    : search_(std::make_unique<Search>(sheet, options)) {}
+Frog::~Frog() = default;
+Frog::Frog(Frog&&) noexcept = default;
+Frog& Frog::operator=(Frog&&) noexcept = default;
+
+FrogResult Frog::plan(const Configuration& start, const Configuration& goal, const Run& run) {
+  return search_->plan(start, goal, run);
+}
+
+FrogResult frog(const CreasePattern& sheet, const FrogOptions& options, const Run& run) {
+  const Linkage linkage = make_linkage(sheet);
+  return Frog(sheet, options).plan(flat(linkage), goal(linkage), run);
+}
+
+}  // namespace plico
