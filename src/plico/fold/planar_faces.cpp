@@ -59,7 +59,7 @@ void check_planar(const std::vector<Vec2>& at, const std::vector<Crease>& edges)
   sweep_clashes(at, edges, [&](int e, int f) -> bool {
     throw InvalidInput("fold/edges-cross",
                        fmt::format("edges {} and {} meet away from a common vertex", std::min(e, f), std::max(e, f)),
-                       near((at[edges[e].a] + at[edges[e].b]) / 2), "split the edges where they meet");
+                       near(meeting_point(at, edges[e], edges[f])), "split the edges where they meet");
   });
 }
 
@@ -205,6 +205,16 @@ std::vector<std::pair<int, int>> clashing_edges(const std::vector<Vec2>& vertice
   });
   std::sort(clashes.begin(), clashes.end());
   return clashes;
+}
+
+Vec2 meeting_point(const std::vector<Vec2>& vertices, const Crease& e, const Crease& f) {
+  const Vec2 &a = vertices[e.a], &b = vertices[e.b], &c = vertices[f.a], &d = vertices[f.b];
+  if (f.a != e.a && f.a != e.b && on_segment(c, a, b)) return c;
+  if (f.b != e.a && f.b != e.b && on_segment(d, a, b)) return d;
+  if (on_segment(a, c, d) && e.a != f.a && e.a != f.b) return a;
+  if (on_segment(b, c, d)) return b;
+  const Vec2 u = b - a, v = d - c, w = c - a;
+  return a + u * ((w.x() * v.y() - w.y() * v.x()) / (u.x() * v.y() - u.y() * v.x()));
 }
 
 }  // namespace plico

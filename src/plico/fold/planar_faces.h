@@ -19,4 +19,7 @@ std::vector<std::vector<int>> planar_faces(const std::vector<Vec2>& vertices, co
 // take no part. Decisions are exact. O(n log n) when edges are short against the drawing.
 std::vector<std::pair<int, int>> clashing_edges(const std::vector<Vec2>& vertices, const std::vector<Crease>& edges);
 
+// Where two such edges meet, rounded; of edges that lie on each other, an end of one that is on the other.
+Vec2 meeting_point(const std::vector<Vec2>& vertices, const Crease& e, const Crease& f);
+
 }  // namespace plico

@@ -77,14 +77,6 @@ VertexFacts facts_of(const CreasePattern& sheet, const RealVertex& vertex, const
 
 std::string at(const Vec2& p) { return fmt::format("near {:.6g} {:.6g}", p.x(), p.y()); }
 
-// Where two edges that clash meet; an end of one when they overlap.
-Vec2 meeting_point(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
-  const Vec2 u = b - a, v = d - c, w = c - a;
-  const double cross = u.x() * v.y() - u.y() * v.x();
-  if (orient2d(a, b, c) == 0 && orient2d(a, b, d) == 0) return std::abs(w.dot(u)) <= u.squaredNorm() ? c : d;
-  return a + u * ((w.x() * v.y() - w.y() * v.x()) / cross);
-}
-
 class Checker {
  public:
   Checker(const CreasePattern& sheet, const PatternCheckOptions& options) : sheet_(sheet), options_(options) {
@@ -144,7 +136,7 @@ class Checker {
   void check_clash(int e, int f) {
     const Crease &g = sheet_.edges[e], &h = sheet_.edges[f];
     const Vec2 &a = place(g.a), &b = place(g.b), &c = place(h.a), &d = place(h.b);
-    const Vec2 meet = meeting_point(a, b, c, d);
+    const Vec2 meet = meeting_point(sheet_.vertices, g, h);
     const auto sides = [](const Vec2& p, const Vec2& q, const Vec2& r, const Vec2& s) {
       return orient2d(p, q, r) * orient2d(p, q, s);
     };
