@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.h"
+#include "motion_report.h"
 #include "plico/base/error.h"
 #include "plico/io/csv.h"
 #include "plico/io/file.h"
@@ -17,10 +18,13 @@
 #include "plico/io/png.h"
 #include "plico/io/urdf.h"
 #include "plico/io/viewer.h"
+#include "plico/verify/path.h"
 #include "session.h"
 
 namespace plico::cli {
 namespace {
+
+constexpr double kProofSeconds = 20;  // for the page's verdict
 
 struct ExportArgs {
   std::string file, title;
@@ -78,14 +82,48 @@ std::string picture(const Motion& motion, const ExportArgs& args) {
   return render_png(motion.linkage, motion.path.at(args.at), options);
 }
 
-std::string page(const Motion& motion) {
+// As `plico fold` and `plico unfold` note it; empty when nobody did.
+std::string planner_of(const FoldFile& file) {
+  const nlohmann::json report = nlohmann::json::parse(file.report, nullptr, false);
+  if (!report.is_object() || !report.contains("motion") || !report["motion"].is_object()) return "";
+  const std::string planner = report["motion"].value("planner", "");
+  return planner.empty() || planner == "linear" || planner == "uniform" ? planner : "planned";
+}
+
+ProofStatus status_of(const PathProof& proof) {
+  if (proof.interrupted) return ProofStatus::Unchecked;
+  switch (proof.verdict) {
+    case PathVerdict::Free:
+      return ProofStatus::Proven;
+    case PathVerdict::Collides:
+      return ProofStatus::Collides;
+    case PathVerdict::NotClosed:
+    case PathVerdict::Undecided:
+      break;
+  }
+  return ProofStatus::Undecided;
+}
+
+// Who shows a motion wants to know whether it folds; what the file says about that is a claim, so it is proven again.
+void add_proof(ViewerInput& page, Session& session) {
+  const PathProof proof = prove_path(page.linkage, *page.path, {}, limited(session.run(), kProofSeconds));
+  page.proof = status_of(proof);
+  page.proof_note = motion_line(proof);
+  if (proof.verdict == PathVerdict::Collides)
+    page.collisions.push_back({proof.from, proof.to, proof.panel_a, proof.panel_b});
+  session.report()["motion"] = motion_json(proof);
+  session.say(fmt::format("motion: {}", motion_line(proof)));
+}
+
+std::string page(const Motion& motion, Session& session) {
   ViewerInput input;
   input.title = motion.title;
   input.unit = motion.file.unit == "unit" ? "" : motion.file.unit;
   input.linkage = motion.linkage;
   input.path = motion.path;
-  input.motion = motion.file.path ? "" : "linear";
+  input.motion = motion.file.path ? planner_of(motion.file) : "linear";
   input.report = motion.file.report;
+  if (motion.linkage.num_hinges() > 0) add_proof(input, session);
   return viewer_page(input);
 }
 
@@ -97,7 +135,7 @@ std::string bytes_for(const std::string& path, const Motion& motion, const Expor
     return robot_file(write_mjcf(motion.linkage, motion.path, robot_options(motion, args)), session);
   if (kind == "csv") return write_trajectory_csv(motion.path);
   if (kind == "png") return picture(motion, args);
-  if (kind == "html" || kind == "htm") return page(motion);
+  if (kind == "html" || kind == "htm") return page(motion, session);
   throw InvalidOption(
       fmt::format("cannot tell what to write from '{}'; the extensions are glb, urdf, xml, csv, png, html", path));
 }
@@ -114,7 +152,7 @@ int export_file(const ExportArgs& args, Session& session) {
   report["chain_depth"] = chain_depth(motion.linkage);
   report["waypoints"] = motion.path.waypoints.size();
   report["has_motion"] = motion.file.path.has_value();
-  if (!motion.file.path) session.say("the file holds no motion: shown as if all creases moved at one rate, unproven");
+  if (!motion.file.path) session.say("the file holds no motion: shown as if all creases arrived together");
   std::vector<std::string> contents;
   for (const std::string& path : outputs) contents.push_back(bytes_for(path, motion, args, session));
   for (std::size_t i = 0; i < outputs.size(); ++i) session.write(outputs[i], contents[i]);

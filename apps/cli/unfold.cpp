@@ -19,6 +19,8 @@ namespace {
 
 using nlohmann::json;
 
+constexpr double kPlanningSeconds = 30;  // for the best net, when none folds by the law asked for
+
 struct UnfoldArgs {
   std::string mesh, method = "search", foldable = "none", optimize = "none";
   UnfoldOptions options;
@@ -95,33 +97,46 @@ void say_outcome(const Session& session, const Mesh& mesh, const UnfoldOutcome& 
   }
 }
 
-// A net that folds by the law asked for, with its motion.
+std::string line_about(const UnfoldArgs& args, const Mesh& mesh, const NetAndMotion& found) {
+  if (found.net.ending == Ending::Found)
+    return fmt::format("{} faces: one net; {} motion {}", mesh.num_faces(), args.foldable,
+                       motion_line(found.net.proof));
+  std::string text = fmt::format("no net found whose {} motion is free; the best has {} collisions", args.foldable,
+                                 found.net.collisions);
+  if (found.motion) text += fmt::format("; {} motion {}", name(found.motion->method), motion_line(found.motion->proof));
+  return text;
+}
+
+// A net that folds by the law asked for, or the best net with a planned motion.
 int unfold_foldable(const UnfoldArgs& args, const Mesh& mesh, const std::vector<std::string>& outputs,
                     Session& session) {
   const FoldingLaw law = args.foldable == "uniform" ? FoldingLaw::Uniform : FoldingLaw::Linear;
-  const Run run = session.run();
-  const FoldableNet found = find_foldable_net(mesh, {.seed = session.seed(), .law = law}, run);
-  const Unfolding net = lay_flat(mesh, found.tree);
+  const NetAndMotion found = fold_or_plan(mesh, {.seed = session.seed(), .law = law}, kPlanningSeconds, session.run());
+  const Unfolding net = lay_flat(mesh, found.net.tree);
   const NetVerdict verdict = verify_net(net, mesh);
   json& report = session.report();
   report["faces"] = mesh.num_faces();
   report["foldable"] = args.foldable;
-  report["ending"] = name(found.ending);
-  report["steps"] = found.steps;
+  report["ending"] = name(found.net.ending);
+  report["steps"] = found.net.steps;
+  report["parts"] = verdict.parts;
   report["overlaps"] = verdict.overlaps.count;
-  report["collisions"] = found.collisions;
-  report["motion"] = motion_json(found.proof);
-  session.say(
-      found.ending == Ending::Found
-          ? fmt::format("{} faces: one net; {} motion {}", mesh.num_faces(), args.foldable, motion_line(found.proof))
-          : fmt::format("no net found that folds; the best tree has {} overlaps and {} collisions",
-                        verdict.overlaps.count, found.collisions));
-  if (found.ending == Ending::Found && !verdict.is_net()) return kInternal;
+  report["collisions"] = found.net.collisions;
   FoldFile file = fold_file(mesh, net);
-  file.report = session.provenance().dump();
-  if (found.ending == Ending::Found) set_path(file, linkage_of(net), found.path);
+  json provenance = session.provenance();
+  if (found.motion) {
+    report["motion"] = motion_json(found.motion->proof);
+    report["motion"]["planner"] = name(found.motion->method);
+    if (found.motion->proof.verdict == PathVerdict::Free) {
+      set_path(file, linkage_of(net), found.motion->path);
+      provenance["motion"] = report["motion"];
+    }
+  }
+  session.say(line_about(args, mesh, found));
+  if (!verdict.valid()) return kInternal;
+  file.report = provenance.dump();
   for (const std::string& path : outputs) session.write(path, write_fold(file));
-  return Session::exit_code(found.ending);
+  return Session::exit_code(found.net.ending);
 }
 
 int unfold_file(UnfoldArgs& args, Session& session) {

@@ -43,15 +43,18 @@ class Lane {
 
   bool found() const { return found_; }
   long steps() const { return steps_; }
-  long best_energy() const { return best_energy_; }
+  // Smaller is better. Any net is better than a tree that overlaps, which nobody can cut out.
+  using Rank = std::pair<bool, long>;
+  Rank best_rank() const { return best_rank_; }
   FoldableResult result() const { return {Ending::Exhausted, best_, best_overlaps_, best_collisions_, steps_}; }
 
  private:
   long energy() const { return options_.overlap_weight * static_cast<long>(tree_.num_overlaps()) + motion_->cost(); }
 
   void keep_best() {
-    if (energy() >= best_energy_) return;
-    best_energy_ = energy();
+    const Rank rank{tree_.num_overlaps() > 0, energy()};
+    if (rank >= best_rank_) return;
+    best_rank_ = rank;
     best_ = tree_.forest();
     best_overlaps_ = tree_.num_overlaps();
     best_collisions_ = motion_->cost();
@@ -65,7 +68,7 @@ class Lane {
       found_ = true;
       return;
     }
-    best_energy_ = std::numeric_limits<long>::max();  // the measure has changed
+    best_rank_ = kWorst;  // the measure has changed
     keep_best();
     if (closer == MotionCost::Closer::Unclear) shake();
   }
@@ -154,7 +157,9 @@ class Lane {
   Rng rng_;
   std::vector<int> between_, sides_;
   FoldForest best_;
-  long best_energy_ = std::numeric_limits<long>::max(), best_overlaps_ = 0, best_collisions_ = 0;
+  static constexpr Rank kWorst{true, std::numeric_limits<long>::max()};
+  Rank best_rank_ = kWorst;
+  long best_overlaps_ = 0, best_collisions_ = 0;
   long steps_ = 0, looked_ = 0;
   bool found_ = false;
 };
@@ -186,7 +191,7 @@ FoldableResult find_foldable_net(const Mesh& mesh, const std::function<FoldFores
                                       rng.stream(i));
   });
   const auto better = [](const auto& a, const auto& b) {
-    return std::pair(!a->found(), a->best_energy()) < std::pair(!b->found(), b->best_energy());
+    return std::pair(!a->found(), a->best_rank()) < std::pair(!b->found(), b->best_rank());
   };
   for (;;) {
     parallel_for(run, options.lanes, [&](int i) { lanes[i]->go(run); });

@@ -46,7 +46,7 @@ void check(const FoldableOptions& options);  // throws InvalidOption naming fiel
 
 struct FoldableResult {
   Ending ending = Ending::Exhausted;
-  FoldForest tree;      // Found: a net that folds. Otherwise the best tree seen, which may overlap or collide
+  FoldForest tree;      // Found: a net that folds. Otherwise the net with fewest collisions; if no net was seen, a tree
   long overlaps = 0;    // of the flat panels of `tree`
   long collisions = 0;  // cost() of `tree`
   long steps = 0;       // branches tried, by all lanes

@@ -19,22 +19,8 @@ namespace {
 
 constexpr int kMediumMesh = 300;  // faces
 
-std::string_view word(FoldingLaw law) { return law == FoldingLaw::Linear ? "linear" : "uniform"; }
-
-// A net that folds by the law asked for replaces the one found without regard to motion.
-bool find_net_that_folds(const Mesh& mesh, const CraftOptions& options, const Run& run, CraftResult& result) {
-  if (!options.law || result.verdict.parts != 1 || mesh.num_faces() < 2) return false;
-  run.report("looking for a net that folds", 0);
-  // Larger meshes pay more for a step: the steps allowed fall with the faces, the time stays about the same.
-  const long steps = options.foldable_steps * kMediumMesh / std::max(mesh.num_faces(), kMediumMesh);
-  FoldableNet found =
-      find_foldable_net(mesh, {.seed = options.unfold.search.seed, .law = *options.law, .max_steps = steps}, run);
-  if (found.ending != Ending::Found) return false;
-  result.net = lay_flat(mesh, found.tree);
-  const MotionMethod method = *options.law == FoldingLaw::Linear ? MotionMethod::Linear : MotionMethod::Uniform;
-  result.motion = Motion{method, std::move(found.path), found.proof};
-  result.motion_kind = word(*options.law);
-  return true;
+std::string_view kind_of(MotionMethod method) {
+  return method == MotionMethod::Linear || method == MotionMethod::Uniform ? name(method) : "planned";
 }
 
 void find_motion(const CraftOptions& options, const Run& run, CraftResult& result) {
@@ -44,10 +30,22 @@ void find_motion(const CraftOptions& options, const Run& run, CraftResult& resul
   MotionOutcome planned =
       plan_motion(linkage, {.seed = options.unfold.search.seed}, limited(run, options.planning_seconds));
   result.motion = std::move(planned.motions.front());
-  const MotionMethod method = result.motion->method;
-  result.motion_kind = method == MotionMethod::Linear    ? "linear"
-                       : method == MotionMethod::Uniform ? "uniform"
-                                                         : "planned";
+}
+
+// A net that folds by the law asked for, or else the one that comes closest, replaces the one found without regard to
+// motion.
+void find_net_that_folds(const Mesh& mesh, const CraftOptions& options, const Run& run, CraftResult& result) {
+  run.report("looking for a net that folds", 0);
+  // Larger meshes pay more for a step: the steps allowed fall with the faces, the time stays about the same.
+  const long steps = options.foldable_steps * kMediumMesh / std::max(mesh.num_faces(), kMediumMesh);
+  NetAndMotion found = fold_or_plan(mesh, {.seed = options.unfold.search.seed, .law = *options.law, .max_steps = steps},
+                                    options.planning_seconds, run);
+  Unfolding net = lay_flat(mesh, found.net.tree);
+  NetVerdict verdict = verify_net(net, mesh);
+  if (verdict.parts > 1) return find_motion(options, run, result);  // stopped before it had a net of its own
+  result.net = std::move(net);
+  result.verdict = std::move(verdict);
+  result.motion = std::move(found.motion);
 }
 
 std::string fold_text(const Mesh& mesh, const CraftOptions& options, const CraftResult& result) {
@@ -110,10 +108,12 @@ CraftResult craft(const Mesh& mesh, const CraftOptions& options, const Run& run)
   result.ending = unfolded.ending;
   result.net = std::move(unfolded.unfolding);
   result.verdict = std::move(unfolded.verdict);
-  if (find_net_that_folds(mesh, options, run, result))
-    result.verdict = verify_net(result.net, mesh);
+  if (options.law && result.verdict.parts == 1 && mesh.num_faces() > 1)
+    find_net_that_folds(mesh, options, run, result);
   else
     find_motion(options, run, result);
+  if (result.motion && !result.proven() && run.over()) result.ending = run.ending();
+  if (result.motion) result.motion_kind = kind_of(result.motion->method);
   run.report("laying out pages", 0);
   SheetOptions sheet = options.sheet;
   sheet.size.fill_page = true;

@@ -34,7 +34,9 @@ struct CraftFile {
 };
 
 struct CraftResult {
-  Ending ending = Ending::Exhausted;  // of the search for a net: Found is one net for every component
+  // Of the search for a net: Found is one net for every component. TimedOut or Stopped also when only the motion was
+  // cut short.
+  Ending ending = Ending::Exhausted;
   Unfolding net;
   NetVerdict verdict;
   std::optional<Motion> motion;  // the best that was found, proven or not; none for a net of one panel

@@ -1,6 +1,7 @@
 #include "plico/workflow/foldable_net.h"
 
 #include <algorithm>
+#include <chrono>
 
 #include "plico/base/error.h"
 #include "plico/base/rng.h"
@@ -94,6 +95,12 @@ class SampledCost : public MotionCost {
   BranchSampler sampler_;
 };
 
+// The planner gets the rest of the time.
+Run leaving_a_quarter(const Run& run) {
+  const std::chrono::duration<double> left = *run.deadline - Run::Clock::now();
+  return limited(run, 0.75 * std::max(0.0, left.count()));
+}
+
 }  // namespace
 
 Linkage linkage_of(const Unfolding& net) { return make_linkage(net.sheet, net.mate); }
@@ -120,10 +127,27 @@ FoldableNet find_foldable_net(const Mesh& mesh, const FoldableNetOptions& option
   const auto new_cost = [&] { return std::make_unique<SampledCost>(mesh, kit, options, clearance); };
   const FoldableResult found =
       find_foldable_net(mesh, start, new_cost, {.seed = options.seed, .max_steps = options.max_steps}, run);
-  FoldableNet result{found.ending, found.tree, found.overlaps, found.collisions, found.steps, {}, {}};
-  const Linkage linkage = linkage_of(lay_flat(mesh, found.tree));
+  FoldableNet result{found.ending, found.tree, found.collisions, found.steps, {}, {}};
+  if (found.overlaps > 0) result.tree = find_net(mesh, {.seed = options.seed}, run).forest;
+  const Linkage linkage = linkage_of(lay_flat(mesh, result.tree));
   result.path = path_by(options.law, linkage);
   if (found.ending == Ending::Found) result.proof = prove_path(linkage, result.path, {.clearance = clearance});
+  return result;
+}
+
+NetAndMotion fold_or_plan(const Mesh& mesh, const FoldableNetOptions& options, double planning_seconds,
+                          const Run& run) {
+  NetAndMotion result{find_foldable_net(mesh, options, run.deadline ? leaving_a_quarter(run) : run), {}};
+  const Linkage linkage = linkage_of(lay_flat(mesh, result.net.tree));
+  if (linkage.num_hinges() == 0) return result;
+  if (result.net.ending == Ending::Found) {
+    const MotionMethod method = options.law == FoldingLaw::Linear ? MotionMethod::Linear : MotionMethod::Uniform;
+    result.motion = Motion{method, result.net.path, result.net.proof};
+  } else {
+    run.report("planning a motion", 0);
+    const MotionOptions planning{.seed = options.seed, .clearance = options.clearance};
+    result.motion = plan_motion(linkage, planning, limited(run, planning_seconds)).motions.front();
+  }
   return result;
 }
 

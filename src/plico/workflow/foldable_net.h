@@ -2,12 +2,14 @@
 // collides and by verify/ when it does not.
 #pragma once
 #include <cstdint>
+#include <optional>
 
 #include "plico/base/run.h"
 #include "plico/fold/folding_path.h"
 #include "plico/fold/unfolding.h"
 #include "plico/motion/branch_sampler.h"
 #include "plico/verify/path.h"
+#include "plico/workflow/plan_motion.h"
 
 namespace plico {
 
@@ -21,8 +23,9 @@ struct FoldableNetOptions {
 
 struct FoldableNet {
   Ending ending = Ending::Exhausted;
-  FoldForest tree;    // Found: one net whose motion is proven free; otherwise the best tree, overlaps cut apart or not
-  long overlaps = 0;  // of the flat panels of `tree`
+  // Found: one net whose motion is proven free; otherwise the net with fewest collisions, or, when none was seen, a
+  // forest of several parts. It never overlaps.
+  FoldForest tree;
   long collisions = 0;  // colliding pairs over the samples that the search had in the end
   long steps = 0;       // branches tried
   FoldingPath path;     // of make_linkage(lay_flat(mesh, tree)), by the law
@@ -31,6 +34,14 @@ struct FoldableNet {
 
 // The mesh must be connected, otherwise throws InvalidInput.
 FoldableNet find_foldable_net(const Mesh& mesh, const FoldableNetOptions& options = {}, const Run& run = {});
+
+// The net that folds by the law; if the search found none, its best net with the best motion that a planner finds.
+struct NetAndMotion {
+  FoldableNet net;
+  std::optional<Motion> motion;  // proven or not; none for a single panel
+};
+NetAndMotion fold_or_plan(const Mesh& mesh, const FoldableNetOptions& options, double planning_seconds,
+                          const Run& run = {});
 
 // The linkage of a net, and its motion by a law.
 Linkage linkage_of(const Unfolding& net);

@@ -93,6 +93,8 @@ MotionMethod motion_method(std::string_view name) {
   return static_cast<MotionMethod>(at - kMethods.begin());
 }
 
+std::string_view name(MotionMethod method) { return kMethods[static_cast<std::size_t>(method)]; }
+
 MotionOutcome plan_motion(const Linkage& linkage, const MotionOptions& options, const Run& run) {
   if (options.alternatives < 1)
     throw InvalidOption(fmt::format("alternatives = {} must be at least 1", options.alternatives));

@@ -15,6 +15,7 @@ namespace plico {
 enum class MotionMethod { Auto, Linear, Uniform, LazyPrm, RrtConnect, Prm, Continuation };
 std::vector<std::string> motion_methods();          // "auto", "linear", ..., in the order above
 MotionMethod motion_method(std::string_view name);  // throws InvalidOption
+std::string_view name(MotionMethod method);
 
 struct MotionOptions {
   std::uint64_t seed = 1;
