@@ -1,6 +1,8 @@
 // From flat to the goal along the foldable configurations: the planner for patterns with one way to fold.
 #pragma once
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "plico/base/run.h"
 #include "plico/fold/folding_path.h"
@@ -11,11 +13,24 @@ namespace plico {
 
 struct ContinuationOptions {
   int frames = 50;             // aimed at, at least 1; more where a frame must be halved
+  double first_step = 0.01;    // of the way: the step that leaves the flat state, in (0, 1]
   double min_progress = 1e-4;  // of the way; a frame that must be shorter ends the plan
   double max_move = 0.5;       // radians a fold angle may turn in one frame; above 0
-  ProjectOptions projection = {};
-  CollisionOptions collision = {};
+  double goal_slack = 1e-2;    // radians a fold angle of the goal may turn to make the goal close; at least 0
+
+  // Largest fold angles that the material bears, radians in (0, pi]: of all creases, and of each (one per hinge, or
+  // empty). Goals beyond are clamped, the clamped goal is projected within the limits, and every waypoint keeps them.
+  double max_fold_angle = kPi;
+  std::vector<double> max_fold_angles = {};
+
+  // The group of each hinge, 0 ... k - 1, or empty for every crease by itself: creases of one group, whose goals must
+  // be of one size, turn by one angle, each to its side.
+  std::vector<int> groups = {};
+  bool hold_flat_facets = false;  // creases of assignment F or J whose goal is 0 stay at 0
+  bool unfold_too = true;         // when the way from flat fails, try the way back from the goal
   bool check_collisions = true;
+  ProjectOptions projection = {};  // its limits are not used
+  CollisionOptions collision = {};
 };
 
 // Why a plan ended short of the goal.
@@ -23,7 +38,7 @@ enum class Obstacle {
   None,
   GoalOpen,   // the goal does not close: no rigid sheet has this form
   Locked,     // no foldable configuration close enough ahead
-  WrongSide,  // the sheet would leave the mountain-valley assignment
+  WrongSide,  // the sheet would leave the branch of the mountain-valley assignment
   Collision
 };
 std::string_view name(Obstacle obstacle);  // "none", "goal-open", "locked", "wrong-side", "collision"
@@ -32,17 +47,26 @@ struct ContinuationResult {
   Ending ending = Ending::Exhausted;
   FoldingPath path;           // waypoints close to the projection's tolerance, the goal to 1e-9; `time` is progress
   double worst_residual = 0;  // of all waypoints, radians
+  int steps = 0;              // of Gauss-Newton, all in all
   Obstacle obstacle = Obstacle::None;
-  double progress = 0;  // of the way, reached
-  int vertex = -1;      // GoalOpen, Locked: of the sheet, where the residual was largest
-  int hinge = -1;       // WrongSide, and Locked when an angle would have to jump
-  PanelPair panels;     // Collision
-  double residual = 0;  // GoalOpen, Locked: the smallest that was reached there, radians
+  double progress = 0;    // of the way, reached
+  bool unfolded = false;  // the path was found from the goal backwards
+  int vertex = -1;        // GoalOpen, Locked: where the way to the goal opens the sheet most; WrongSide: at the crease
+  int hinge = -1;         // WrongSide, and Locked when an angle would have to jump
+  PanelPair panels;       // Collision
+  double residual = 0;    // GoalOpen: of the goal at `vertex`; Locked: of one frame straight on; radians
+  int frame() const { return static_cast<int>(path.waypoints.size()); }  // the one that failed, flat is 0
 };
 
-// Steps towards the goal and projects each frame to the closure of `sheet`; halves a step that does not close, moves
-// too far, turns a crease against its goal or collides. Waypoints close and are free of collision; the motion between
-// them is to be proven (verify/path.h). Deterministic. A path that ends early holds what was reached.
+// One sentence for people: "left the mountain-valley branch at vertex 9 (crease 12) in frame 3"; empty without
+// obstacle.
+std::string describe(const ContinuationResult& result);
+
+// Steps towards the goal, corrects each step by what the last one was off, and projects to the closure of `sheet`;
+// halves a step that does not close, moves too far, turns a crease against its goal or collides. Flat is left with
+// steps of several sizes and in two directions (the goal, and the tangents of its half angles) until every crease turns
+// to its side. Waypoints close and are free of collision; the motion between them is to be proven (verify/path.h).
+// Deterministic. A path that ends early holds what was reached.
 ContinuationResult continue_to_goal(const CreasePattern& sheet, const ContinuationOptions& options = {},
                                     const Run& run = {});
 

@@ -271,6 +271,20 @@ Configuration Projector::tangent(const Configuration& at, const Configuration& d
                       [&](const Configuration& x) { return Configuration(direction - x); });
 }
 
+std::vector<RealVertex> grouped(std::vector<RealVertex> vertices, const std::vector<int>& group,
+                                const std::vector<int>& sign) {
+  for (RealVertex& vertex : vertices)
+    for (std::size_t k = 0; k < vertex.hinges.size(); ++k) {
+      const auto h = static_cast<std::size_t>(vertex.hinges[k]);
+      if (h >= group.size() || h >= sign.size())
+        throw InvalidInput("origami/crease-index", fmt::format("crease {} of {} has no group", h, group.size()),
+                           fmt::format("vertex {}", vertex.vertex));
+      vertex.hinges[k] = group[h];
+      vertex.directions[k] *= sign[h];  // a turn backwards is a turn about the axis reversed
+    }
+  return vertices;
+}
+
 Projection project(const std::vector<RealVertex>& vertices, const Configuration& start, const ProjectOptions& options) {
   return Projector(vertices, static_cast<int>(start.size())).project(start, options);
 }

@@ -52,6 +52,11 @@ class Projector {
   std::unique_ptr<Equations> equations_;
 };
 
+// The same loops when creases turn together: crease h by sign[h] (1 or -1) times the angle of group[h]. What a
+// projector then projects is one angle per group. Throws InvalidInput when a walk needs a crease without a group.
+std::vector<RealVertex> grouped(std::vector<RealVertex> vertices, const std::vector<int>& group,
+                                const std::vector<int>& sign);
+
 // Once; for many projections of one sheet keep a Projector.
 Projection project(const std::vector<RealVertex>& vertices, const Configuration& start,
                    const ProjectOptions& options = {});
