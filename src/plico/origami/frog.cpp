@@ -16,6 +16,7 @@ void check(const FrogOptions& o) {
   if (!(o.reward >= 0)) throw InvalidOption(fmt::format("reward = {} must be at least 0", o.reward));
   if (!(o.penalty >= 0)) throw InvalidOption(fmt::format("penalty = {} must be at least 0", o.penalty));
   if (o.max_samples < 1) throw InvalidOption(fmt::format("max samples = {} must be at least 1", o.max_samples));
+  if (o.patience < 1) throw InvalidOption(fmt::format("patience = {} must be at least 1", o.patience));
 }
 
 // Time by length, so that every part of the path goes at the same speed.
@@ -54,21 +55,30 @@ class Frog::Search {
     result.distance = (goal - start).norm();
     if (!valid_end(start, result) || !valid_end(goal, result)) return result;
     Rng rng(options_.seed);
+    long idle = 0;
+    double mark = result.distance;
     double weight = options_.initial_weight;
     while (result.distance > 0) {
-      if (run.over() || result.counts.sampled >= options_.max_samples) {
+      if (run.over() || result.counts.sampled >= options_.max_samples || idle >= options_.patience) {
         if (run.over()) result.ending = run.ending();
         spread_time(result.path);
         return result;
       }
       const bool closer = result.distance <= options_.step ? reach(goal, result) : extend(goal, weight, rng, result);
       weight = std::clamp(closer ? weight + options_.reward : weight - options_.penalty, 0.0, 1.0);
+      ++idle;
+      if (result.distance <= mark - options_.step / 2) {
+        idle = 0;
+        mark = result.distance;
+      }
       if (result.counts.sampled % 100 == 0) run.report("samples", result.counts.sampled, options_.max_samples);
     }
     spread_time(result.path);
     result.ending = Ending::Found;
     return result;
   }
+
+  void set_patience(long samples) { options_.patience = samples; }
 
  private:
   double tolerance() const {
@@ -133,6 +143,8 @@ Frog& Frog::operator=(Frog&&) noexcept = default;
 FrogResult Frog::plan(const Configuration& start, const Configuration& goal, const Run& run) {
   return search_->plan(start, goal, run);
 }
+
+void Frog::set_patience(long samples) { search_->set_patience(samples); }
 
 FrogResult frog(const CreasePattern& sheet, const FrogOptions& options, const Run& run) {
   const Linkage linkage = make_linkage(sheet);

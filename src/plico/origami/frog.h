@@ -22,6 +22,7 @@ struct FrogOptions {
   double reward = 0.1;          // W1: added after a sample that comes closer; at least 0
   double penalty = 0.1;         // W2: subtracted after any other; at least 0
   long max_samples = 20000;     // at least 1
+  long patience = 20000;        // samples without coming half of D closer before it gives up, at least 1
   FindFoldable find = FindFoldable::GaussNewton;
   ProjectOptions projection = {.tolerance = 1e-12};  // of GaussNewton
   NloptOptions nlopt = {};                           // of Nlopt
@@ -58,6 +59,8 @@ class Frog {
   // counts as valid only when it lies within 2 D of the waypoint before it: one that the projection took farther may
   // be on another branch. Deterministic for the seed.
   FrogResult plan(const Configuration& start, const Configuration& goal, const Run& run = {});
+
+  void set_patience(long samples);  // of the queries to come
 
  private:
   class Search;

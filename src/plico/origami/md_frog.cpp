@@ -1,0 +1,295 @@
+#include "plico/origami/md_frog.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+
+#include "plico/base/error.h"
+
+namespace plico {
+namespace {
+
+// Rejected steps after which a nonlinear connection is given up, round after round: most that hold need no random step,
+// and most that do not would cost many.
+constexpr std::array<long, 3> kPatience = {2, 20, 300};
+
+using Edge = std::pair<int, int>;  // from the state closer to flat along the path
+
+void check(const MdFrogOptions& o) {
+  if (o.max_states < 0) throw InvalidOption(fmt::format("max states = {} must be at least 0", o.max_states));
+  if (o.alternatives < 1) throw InvalidOption(fmt::format("alternatives = {} must be at least 1", o.alternatives));
+  if (o.linear_samples < 1)
+    throw InvalidOption(fmt::format("linear samples = {} must be at least 1", o.linear_samples));
+}
+
+class Roadmap {
+ public:
+  Roadmap(const CreasePattern& sheet, const MdFrogOptions& options, const Run& run)
+      : options_(options),
+        run_(run),
+        linkage_(make_linkage(sheet)),
+        vertices_(real_vertices(sheet)),
+        checker_(linkage_, options.frog.collision),
+        frog_(sheet, options.frog) {
+    add(flat(linkage_));
+    Configuration target = goal(linkage_);
+    const double limit = options.discrete.max_fold_angle;
+    target = target.cwiseMax(-limit).cwiseMin(limit);
+    stops_.push_back(0);
+    for (const Configuration& state : options.intermediate) stops_.push_back(add(state));
+    stops_.push_back(add(target));
+    for (int stop : stops_) must_close(states_[stop]);
+    DiscreteStates discrete = discrete_states(sheet, options.discrete, options.max_states, run);
+    result_.tested += discrete.tested;
+    for (const Configuration& state : discrete.states)
+      if (!options.frog.check_collisions || !checker_.collides(state)) add(state);
+    result_.states = static_cast<long>(states_.size());
+    banned_.assign(states_.size(), 0);
+    state_.assign(states_.size() * states_.size(), State::Open);
+    length_.resize(state_.size());
+    for (int a = 0; a < num_states(); ++a)
+      for (int b = 0; b < a; ++b) set_state(a, b, State::Open);
+    frog_.set_patience(kPatience.front());
+  }
+
+  MdFrogResult plan() {
+    while (static_cast<int>(result_.paths.size()) < options_.alternatives) {
+      const std::optional<std::vector<int>> way = next_way();
+      if (!way) {
+        result_.ending = run_.over() ? run_.ending() : Ending::Exhausted;
+        return std::move(result_);
+      }
+      MdFrogPath path = assemble(*way);
+      const bool is_new = std::none_of(result_.paths.begin(), result_.paths.end(),
+                                       [&](const MdFrogPath& other) { return blends(other.path, path.path); });
+      if (is_new) result_.paths.push_back(std::move(path));
+      if (!leave(*way)) break;
+    }
+    result_.ending =
+        static_cast<int>(result_.paths.size()) == options_.alternatives ? Ending::Found : Ending::Exhausted;
+    return std::move(result_);
+  }
+
+ private:
+  int num_states() const { return static_cast<int>(states_.size()); }
+
+  int add(const Configuration& state) {
+    for (int i = 0; i < num_states(); ++i)
+      if ((states_[i] - state).cwiseAbs().maxCoeff() < 1e-9) return i;
+    states_.push_back(state);
+    return num_states() - 1;
+  }
+
+  void must_close(const Configuration& state) {
+    if (vertices_.empty()) return;
+    const Closure closed = closure(vertices_, state);
+    if (closed.worst > 1e-9)
+      throw InvalidInput("origami/goal-open",
+                         fmt::format("the sheet cannot take this form: it stays open by {:.3g} rad", closed.worst),
+                         fmt::format("vertex {}", closed.worst_vertex),
+                         "plico origami info shows which vertices close");
+  }
+
+  // A way through all stops whose every connection holds; nothing when there is none, or the run is over.
+  std::optional<std::vector<int>> next_way() {
+    while (!run_.over()) {
+      std::vector<int> way = {stops_.front()};
+      for (std::size_t i = 1; i < stops_.size(); ++i) {
+        const std::vector<int> part = shortest(stops_[i - 1], stops_[i]);
+        if (part.empty()) {
+          way.clear();
+          break;
+        }
+        way.insert(way.end(), part.begin() + 1, part.end());
+      }
+      if (way.empty()) {
+        if (!try_harder()) return {};
+        continue;
+      }
+      bool holds = true;
+      for (std::size_t i = 1; i < way.size() && holds; ++i) holds = connected(way[i - 1], way[i]);
+      if (holds) return way;
+      run_.report("planning", result_.connections_tried, 0);
+    }
+    return {};
+  }
+
+  // The next round: connections that failed are worth another look.
+  bool try_harder() {
+    if (++round_ >= kPatience.size()) return false;
+    frog_.set_patience(kPatience[round_]);
+    for (int a = 0; a < num_states(); ++a)
+      for (int b = 0; b < a; ++b)
+        if (state(a, b) == State::Failed) set_state(a, b, State::Open);
+    return true;
+  }
+
+  // Dijkstra on the complete graph without the connections that are barred: O(states^2).
+  std::vector<int> shortest(int from, int to) const {
+    constexpr float kFar = std::numeric_limits<float>::infinity();
+    const int n = num_states();
+    std::vector<float> cost(n, kFar);
+    std::vector<int> before(n, -1), open;
+    for (int i = 0; i < n; ++i)
+      if (!banned_[i] || i == to || i == from) open.push_back(i);
+    cost[from] = 0;
+    while (!open.empty()) {
+      const auto next = std::min_element(open.begin(), open.end(), [&](int a, int b) { return cost[a] < cost[b]; });
+      const int at = *next;
+      if (at == to || cost[at] == kFar) break;
+      *next = open.back();
+      open.pop_back();
+      const float* const length = &length_[static_cast<std::size_t>(at) * n];
+      for (int i : open) {
+        const float through = cost[at] + length[i];
+        if (through < cost[i]) cost[i] = through, before[i] = at;
+      }
+    }
+    std::vector<int> way;
+    if (cost[to] == kFar) return way;
+    for (int i = to; i >= 0; i = before[i]) way.push_back(i);
+    std::reverse(way.begin(), way.end());
+    return way;
+  }
+
+  float measure(int a, int b) const { return static_cast<float>((states_[a] - states_[b]).squaredNorm()); }
+
+  enum class State : char { Open, Holds, Failed, Left };  // Left: given up on purpose, for another path
+  State state(int from, int to) const { return state_[static_cast<std::size_t>(from) * states_.size() + to]; }
+  void set_state(int from, int to, State state) {
+    for (const auto& [a, b] : {Edge{from, to}, Edge{to, from}}) {
+      const std::size_t at = static_cast<std::size_t>(a) * states_.size() + b;
+      state_[at] = state;
+      const bool barred = state == State::Failed || state == State::Left;
+      length_[at] = barred ? std::numeric_limits<float>::infinity() : measure(a, b);
+    }
+  }
+
+  struct Link {
+    FoldingPath path;  // empty when the connection failed
+    Connection connection = Connection::Linear;
+  };
+
+  bool connected(int from, int to) {
+    if (state(from, to) != State::Open) return state(from, to) == State::Holds;
+    ++result_.connections_tried;
+    Link link = connect(from, to);
+    const bool holds = !link.path.waypoints.empty();
+    set_state(from, to, holds ? State::Holds : State::Failed);
+    if (!holds) return false;
+    Link back{{}, link.connection};
+    for (auto w = link.path.waypoints.rbegin(); w != link.path.waypoints.rend(); ++w)
+      back.path.waypoints.push_back({1 - w->time, w->config});
+    links_[{to, from}] = std::move(back);
+    links_[{from, to}] = std::move(link);
+    return true;
+  }
+
+  Link connect(int from, int to) {
+    if (std::optional<FoldingPath> path = linear(states_[from], states_[to]))
+      return {std::move(*path), Connection::Linear};
+    FrogResult found = frog_.plan(states_[from], states_[to], run_);
+    result_.samples += found.counts.sampled;
+    result_.tested += found.counts.tested;
+    if (found.ending != Ending::Found) return {};
+    result_.worst_residual = std::max(result_.worst_residual, found.worst_residual);
+    return {std::move(found.path), Connection::Nonlinear};
+  }
+
+  // The middle first: where a connection fails, it mostly fails there.
+  std::optional<FoldingPath> linear(const Configuration& from, const Configuration& to) {
+    const int n = options_.linear_samples;
+    double worst = 0;
+    for (int stride = n; stride >= 1; stride /= 2) {
+      for (int i = stride; i <= n; i += 2 * stride) {
+        const double share = static_cast<double>(i) / (n + 1);
+        const Configuration between = (1 - share) * from + share * to;
+        ++result_.samples;
+        ++result_.tested;
+        const double open = vertices_.empty() ? 0 : closure(vertices_, between).worst;
+        if (open > 1e-9) return {};
+        worst = std::max(worst, open);
+        if (options_.frog.check_collisions && checker_.collides(between)) return {};
+      }
+    }
+    result_.worst_residual = std::max(result_.worst_residual, worst);
+    return FoldingPath{{{0, from}, {1, to}}};
+  }
+
+  MdFrogPath assemble(const std::vector<int>& way) {
+    MdFrogPath result;
+    std::vector<Waypoint>& waypoints = result.path.waypoints;
+    waypoints.push_back({0, states_[way.front()]});
+    result.states.push_back(states_[way.front()]);
+    double length = 0;
+    for (std::size_t i = 1; i < way.size(); ++i) {
+      const Link& link = links_.at({way[i - 1], way[i]});
+      for (std::size_t w = 1; w < link.path.waypoints.size(); ++w) {
+        const Configuration& config = link.path.waypoints[w].config;
+        length += (config - waypoints.back().config).norm();
+        waypoints.push_back({length, config});
+      }
+      result.states.push_back(states_[way[i]]);
+      result.connections.push_back(link.connection);
+    }
+    if (waypoints.size() == 1) waypoints.push_back({1, waypoints.front().config}), length = 1;  // a goal that is flat
+    for (Waypoint& waypoint : waypoints) waypoint.time /= length;
+    waypoints.back().time = 1;
+    return result;
+  }
+
+  // Can one be bent into the other by averaging? Each average is made foldable first.
+  bool blends(const FoldingPath& a, const FoldingPath& b) {
+    constexpr int kSamples = 20;
+    Projector projector(vertices_, linkage_.num_hinges());
+    for (int i = 1; i < kSamples; ++i) {
+      const Configuration p = a.at(i / double{kSamples}), q = b.at(i / double{kSamples});
+      const Projection mid = projector.project((p + q) / 2, {.tolerance = 1e-9});
+      const bool between = (mid.config - (p + q) / 2).norm() <= (p - q).norm() / 2 + 1e-9;
+      if (!mid.closed || !between || checker_.collides(mid.config)) return false;
+    }
+    return true;
+  }
+
+  // Makes the next way another one: the states in between are not to be used again; a direct way has none to avoid.
+  bool leave(const std::vector<int>& way) {
+    bool left = false;
+    for (int i : way) {
+      if (std::find(stops_.begin(), stops_.end(), i) != stops_.end() || banned_[i]) continue;
+      banned_[i] = 1;
+      left = true;
+    }
+    if (!left) {
+      for (std::size_t i = 1; i < way.size(); ++i) set_state(way[i - 1], way[i], State::Left);
+      left = way.size() > 1;
+    }
+    return left;
+  }
+
+  const MdFrogOptions& options_;
+  const Run& run_;
+  Linkage linkage_;
+  std::vector<RealVertex> vertices_;
+  CollisionChecker checker_;
+  Frog frog_;
+  std::vector<Configuration> states_;
+  std::vector<int> stops_;
+  std::vector<char> banned_;    // states that a further path must not use
+  std::vector<State> state_;    // of each connection, states x states
+  std::vector<float> length_;   // of each, squared, infinite where it is barred
+  std::map<Edge, Link> links_;  // those that hold, both ways
+  std::size_t round_ = 0;       // of kPatience
+  MdFrogResult result_;
+};
+
+}  // namespace
+
+MdFrogResult md_frog(const CreasePattern& sheet, const MdFrogOptions& options, const Run& run) {
+  check(options);
+  return Roadmap(sheet, options, run).plan();
+}
+
+}  // namespace plico
