@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "plico/motion/collision.h"
 #include "plico/origami/closure.h"
 #include "plico/origami/continuation.h"
@@ -50,6 +52,29 @@ TEST(Bases, TheSquareTwistDoesNotFoldRigidly) {
   EXPECT_EQ(found.ending, Ending::Exhausted);
   EXPECT_TRUE(found.obstacle == Obstacle::Locked || found.obstacle == Obstacle::WrongSide) << name(found.obstacle);
   EXPECT_TRUE(found.vertex >= 0 || found.hinge >= 0);
+}
+
+// Nor does any foldable state beyond flat keep its mountains and valleys: wherever a projection starts, it comes out
+// flat or with a crease on the wrong side. The same trial finds such states of the waterbomb base.
+int num_states_on_the_right_sides(const CreasePattern& sheet) {
+  const Configuration target = goal(make_linkage(sheet));
+  const std::vector<RealVertex> vertices = real_vertices(sheet);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> part(0.05, 0.6);
+  int found = 0;
+  for (int trial = 0; trial < 100; ++trial) {
+    Configuration start = target;
+    for (double& angle : start) angle *= part(random);
+    const Projection projection = project(vertices, start);
+    const Eigen::ArrayXd folded = projection.config.array() * target.array().sign();
+    if (projection.closed && (folded > 0.01).all() && !(folded > kPi - 0.01).all()) ++found;
+  }
+  return found;
+}
+
+TEST(Bases, NoStateOfTheSquareTwistKeepsItsAssignment) {
+  EXPECT_EQ(num_states_on_the_right_sides(square_twist()), 0);
+  EXPECT_GT(num_states_on_the_right_sides(waterbomb_base()), 50);
 }
 
 struct LetterFolds {
