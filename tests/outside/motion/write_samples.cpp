@@ -1,15 +1,20 @@
 // usage: write_samples FOLDER
-// Ten linkages of every kind, each as page, animation and robot models, with where the library says their panels are.
+// Ten linkages of every kind and ten nets with proven motions, each as page, animation and robot models, with where the
+// library says their panels are; nets also as FOLD files.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
 #include "linkage_samples.h"
+#include "plico/base/error.h"
 #include "plico/io/file.h"
+#include "plico/io/fold.h"
 #include "plico/io/gltf.h"
 #include "plico/io/mjcf.h"
 #include "plico/io/urdf.h"
 #include "plico/io/viewer.h"
+#include "plico/mesh/named_shapes.h"
+#include "plico/workflow/foldable_net.h"
 
 namespace plico {
 namespace {
@@ -18,15 +23,16 @@ struct Sample {
   std::string name;
   Linkage linkage;
   FoldingPath path;
+  std::string fold;  // the file's text; empty for samples that are no nets
 };
 
 Sample linear(const std::string& name, const CreasePattern& sheet) {
   const Linkage linkage = make_linkage(sheet);
-  return {name, linkage, linear_path(linkage)};
+  return {name, linkage, linear_path(linkage), ""};
 }
 Sample uniform(const std::string& name, const CreasePattern& sheet) {
   const Linkage linkage = make_linkage(sheet);
-  return {name, linkage, uniform_path(linkage)};
+  return {name, linkage, uniform_path(linkage), ""};
 }
 
 // Squares in a grid that bend along all lines x = 1, 2, ...: every inner corner is a loop, and all of them close.
@@ -51,6 +57,17 @@ Sample thick(Sample sample, double thickness) {
   return sample;
 }
 
+// A one-piece net of the shape, with a linear motion that is proven free of collision.
+Sample net(const std::string& shape, int faces) {
+  const Mesh mesh(make_shape(shape, {.faces = faces}));
+  const FoldableNet found = find_foldable_net(mesh);
+  PLICO_ASSERT(found.proof.verdict == PathVerdict::Free);
+  const Unfolding flat = lay_flat(mesh, found.tree);
+  FoldFile file = fold_file(mesh, flat);
+  set_path(file, linkage_of(flat), found.path);
+  return {"net-" + shape, linkage_of(flat), found.path, write_fold(file)};
+}
+
 std::vector<Sample> samples() {
   Rng rng(7);
   std::vector<Sample> list;
@@ -66,6 +83,11 @@ std::vector<Sample> samples() {
   Sample back_and_forth = linear("planned", square_strip({0.5, 0.5}));
   back_and_forth.path = path_through({{0, {0, 0}}, {0.4, {1, 0}}, {0.7, {1, 0.5}}, {1, {0.5, 0.5}}});
   list.push_back(back_and_forth);
+  for (const char* animal : {"bird", "dog", "fish", "dinosaur"}) list.push_back(net(animal, 100));
+  for (const char* solid : {"octahedron", "dodecahedron", "icosahedron", "truncated-icosahedron"})
+    list.push_back(net(solid, 0));
+  list.push_back(net("torus", 60));
+  list.push_back(net("sphere", 80));
   return list;
 }
 
@@ -112,7 +134,12 @@ void write_samples(const std::string& folder) {
     write_file(base + ".xml", write_mjcf(sample.linkage, sample.path, robot).text, true);
     const int joints = sample.linkage.num_hinges() - static_cast<int>(sample.linkage.loop_hinges.size());
     const int surfaces = sample.linkage.num_panels() * (sample.linkage.thickness > 0 ? 3 : 2);
-    list.push_back({{"name", sample.name}, {"joints", joints}, {"surfaces", surfaces}});
+    if (!sample.fold.empty()) write_file(base + ".fold", sample.fold, true);
+    list.push_back({{"name", sample.name},
+                    {"joints", joints},
+                    {"surfaces", surfaces},
+                    {"panels", sample.linkage.num_panels()},
+                    {"is_net", !sample.fold.empty()}});
   }
   write_file(folder + "/samples.json", list.dump(), true);
 }
