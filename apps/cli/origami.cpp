@@ -21,7 +21,7 @@ namespace plico::cli {
 namespace {
 
 constexpr int kShownOfAKind = 20;
-constexpr int kMaxHingesForMotions = 5000;  // counting first-order motions takes about a second there
+constexpr int kMaxHingesForMotions = 3000;  // counting first-order motions takes up to a second there
 constexpr double kNotGiven = std::numeric_limits<double>::quiet_NaN();
 
 // --- make

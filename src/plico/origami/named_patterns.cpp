@@ -35,9 +35,9 @@ CreasePattern make_miura(const PatternOptions& o) {
                 .facet_diagonals = o.diagonals});
 }
 
-// Sheets of up to 8 columns never meet their own ends; wider ones become a tube, at 49.3 degrees with 12 columns, 24.0
-// with 22 (tabulated in the tests), in between and beyond close to in inverse proportion.
-double usual_waterbomb_angle(int columns) { return radians(columns <= 8 ? 45 : std::min(45.0, 500.0 / columns)); }
+// A sheet of n columns becomes a tube at 66.8 degrees for n = 10, 49.3 for 12, 24.0 for 22; n times the angle falls
+// towards 505. A tenth less is free.
+double usual_waterbomb_angle(int columns) { return radians(std::min(45.0, 450.0 / columns)); }
 
 CreasePattern make_waterbomb(const PatternOptions& o) {
   return waterbomb({.columns = o.columns,
