@@ -21,7 +21,9 @@ class Borders {
   Borders(const CreasePattern& sheet, const std::vector<int>& hinge) : sheet_(sheet), part_(parts_of(sheet)) {
     for (int f = 0; f < sheet.num_faces(); ++f)
       for (std::size_t i = 0; i < sheet.faces[f].size(); ++i)
-        side_[{sheet.faces[f][i], corner(f, i + 1)}] = {f, static_cast<int>(i)};
+        if (const Side side{sheet.faces[f][i], corner(f, i + 1)}; !side_.emplace(side, Place{f, i}).second)
+          throw InvalidInput("fold/face-sides", fmt::format("panel {} lies on another one", f),
+                             fmt::format("at the side from vertex {} to {}", side.first, side.second));
     for (int e = 0; e < sheet.num_edges(); ++e) hinge_[std::minmax(sheet.edges[e].a, sheet.edges[e].b)] = hinge[e];
   }
 
@@ -35,19 +37,24 @@ class Borders {
     std::vector<Border> borders;
     std::map<std::pair<int, int>, bool> seen;
     for (const auto& [ends, place] : side_) {
-      if (side_.count({ends.second, ends.first}) != 0 || seen[ends]) continue;
+      if (!is_border(ends) || seen[ends]) continue;
       borders.push_back(follow(ends, seen));
     }
     return borders;
   }
 
  private:
-  using Side = std::pair<int, int>;  // vertices, in the direction in which the panel on its left has them
+  using Side = std::pair<int, int>;           // vertices, in the direction in which the panel on its left has them
+  using Place = std::pair<int, std::size_t>;  // panel and index
 
   int corner(int face, std::size_t i) const { return sheet_.faces[face][i % sheet_.faces[face].size()]; }
   Side after(const Side& side) const {
     const auto [face, i] = side_.at(side);
-    return {side.second, corner(face, static_cast<std::size_t>(i) + 2)};
+    return {side.second, corner(face, i + 2)};
+  }
+  bool is_border(const Side& side) const {
+    const auto at = hinge_.find(std::minmax(side.first, side.second));
+    return at == hinge_.end() || at->second < 0;
   }
 
   Border follow(const Side& start, std::map<Side, bool>& seen) const {
@@ -59,7 +66,7 @@ class Borders {
       const Vec2 &p = sheet_.vertices[at.first], &q = sheet_.vertices[at.second];
       border.area += cross(p - sheet_.vertices[start.first], q - p) / 2;
       border.lowest = border.lowest < 0 ? at.first : std::min(border.lowest, at.first);
-      for (at = after(at); side_.count({at.second, at.first}) != 0; at = after({at.second, at.first})) {
+      for (at = after(at); !is_border(at); at = after({at.second, at.first})) {
         const int h = hinge_.at(std::minmax(at.first, at.second));
         const Vec2& from = sheet_.vertices[at.first];
         border.crossings.push_back({h, from, (sheet_.vertices[at.second] - from).normalized()});
@@ -71,7 +78,7 @@ class Borders {
 
   const CreasePattern& sheet_;
   std::vector<int> part_;
-  std::map<Side, std::pair<int, int>> side_;  // panel and index
+  std::map<Side, Place> side_;
   std::map<Side, int> hinge_;
 };
 

@@ -27,6 +27,9 @@ void check(const ContinuationOptions& o, int num_creases) {
   if (!o.max_fold_angles.empty() && static_cast<int>(o.max_fold_angles.size()) != num_creases)
     throw InvalidOption(
         fmt::format("max fold angles = {} must be one for each of {} creases", o.max_fold_angles.size(), num_creases));
+  for (const Configuration& limits : {o.projection.low, o.projection.high})
+    if (limits.size() != 0 && limits.size() != num_creases)
+      throw InvalidOption(fmt::format("limits = {} must be one for each of {} creases", limits.size(), num_creases));
   for (double angle : o.max_fold_angles) require(angle > 0 && angle <= kPi, "max fold angle", angle, "in (0, pi]");
 }
 
@@ -140,6 +143,8 @@ class Continuation {
     for (int h = 0; h < linkage.num_hinges(); ++h) {
       const double most = options_.max_fold_angles.empty() ? kPi : options_.max_fold_angles[h];
       groups_.limit(h, std::max(-most, linkage.hinges[h].low), std::min(most, linkage.hinges[h].high), projection_);
+      const ProjectOptions& given = options_.projection;
+      groups_.limit(h, given.low.size() ? given.low[h] : -kPi, given.high.size() ? given.high[h] : kPi, projection_);
     }
     if (!options_.hold_flat_facets) return;
     const std::vector<int> hinge = hinge_of_edge(sheet);

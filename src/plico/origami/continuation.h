@@ -29,7 +29,7 @@ struct ContinuationOptions {
   bool hold_flat_facets = false;  // creases of assignment F or J whose goal is 0 stay at 0
   bool unfold_too = true;         // when the way from flat fails, try the way back from the goal
   bool check_collisions = true;
-  ProjectOptions projection = {};  // its limits are not used
+  ProjectOptions projection = {};  // its limits (of each hinge) narrow those above
   CollisionOptions collision = {};
 };
 

@@ -41,8 +41,8 @@ std::string obstacle_note(const CreasePattern& sheet, const ContinuationResult& 
     case Obstacle::Locked:
       if (result.hinge >= 0)
         return fmt::format("locked at {} of the way: {} would have to jump", where, crease_of(sheet, result.hinge));
-      return fmt::format("not rigid: locked at {} of the way, best residual {:.3g} rad at {}", where, result.residual,
-                         place_of(sheet, result.vertex));
+      return fmt::format("not rigid: locked at {} of the way; going on opens {} by {:.3g} rad", where,
+                         place_of(sheet, result.vertex), result.residual);
     case Obstacle::WrongSide:
       return fmt::format("left the branch at {} of the way: {} would turn against its goal", where,
                          crease_of(sheet, result.hinge));

@@ -174,6 +174,18 @@ TEST(Continuation, KeepsTheLimitsOfTheMaterial) {
   ASSERT_EQ(one.ending, Ending::Found) << describe(one);
   for (const Waypoint& w : one.path.waypoints) EXPECT_LE(std::abs(w.config[3]), radians(40));
   EXPECT_THROW(continue_to_goal(sheet, {.max_fold_angles = {1, 2}}), InvalidOption);
+
+  ContinuationOptions options;
+  options.projection.high = Configuration::Constant(table.size(), radians(50));
+  const ContinuationResult valleys = continue_to_goal(sheet, options);
+  ASSERT_EQ(valleys.ending, Ending::Found) << describe(valleys);
+  for (const Waypoint& w : valleys.path.waypoints) EXPECT_LE(w.config.maxCoeff(), radians(50));
+}
+
+TEST(Continuation, FoldsSheetsWithoutLoopsAndSheetsWithoutCreases) {
+  EXPECT_EQ(continue_to_goal(l()).ending, Ending::Found);
+  EXPECT_EQ(continue_to_goal(miura({.columns = 1, .rows = 1})).ending, Ending::Found);
+  EXPECT_EQ(continue_to_goal(miura({.columns = 4, .rows = 4, .zigzag_angle = 0})).ending, Ending::Found);
 }
 
 TEST(Continuation, GroupsOfDifferentGoalsAreRefused) {

@@ -67,6 +67,60 @@ TEST(Hole, ProjectionConvergesQuadratically) {
   EXPECT_LE(found.steps, 8);
 }
 
+// A strip of four squares around a slit of no width: two vertices lie on each other.
+TEST(Hole, ASlitIsOne) {
+  CreasePattern sheet;
+  for (int y = 0; y <= 2; ++y)
+    for (int x = 0; x <= 4; ++x) sheet.vertices.emplace_back(x, y);
+  const auto at = [](int x, int y) { return y * 5 + x; };
+  sheet.vertices.emplace_back(2, 1);  // the lower rim of the slit from (1, 1) to (3, 1)
+  const int below = 15;
+  const auto lower = [&](int x) { return x == 2 ? below : at(x, 1); };
+  for (int x = 0; x < 4; ++x) {
+    sheet.faces.push_back({at(x, 0), at(x + 1, 0), lower(x + 1), lower(x)});
+    sheet.faces.push_back({at(x, 1), at(x + 1, 1), at(x + 1, 2), at(x, 2)});
+    sheet.edges.push_back({at(x, 0), at(x + 1, 0), Assignment::Boundary, 0});
+    sheet.edges.push_back({at(x, 2), at(x + 1, 2), Assignment::Boundary, 0});
+  }
+  for (int x : {0, 3}) sheet.edges.push_back({at(x, 1), at(x + 1, 1), Assignment::Mountain, -1});
+  for (int x : {1, 2}) {
+    sheet.edges.push_back({at(x, 1), at(x + 1, 1), Assignment::Boundary, 0});
+    sheet.edges.push_back({lower(x), lower(x + 1), Assignment::Boundary, 0});
+  }
+  for (int x = 1; x < 4; ++x) {
+    sheet.edges.push_back({at(x, 0), lower(x), Assignment::Valley, 1});
+    sheet.edges.push_back({at(x, 1), at(x, 2), Assignment::Valley, 1});
+  }
+  for (int x : {0, 4}) {
+    sheet.edges.push_back({at(x, 0), at(x, 1), Assignment::Boundary, 0});
+    sheet.edges.push_back({at(x, 1), at(x, 2), Assignment::Boundary, 0});
+  }
+  const std::vector<RealVertex> loops = real_vertices(sheet);
+  ASSERT_EQ(loops.size(), 1u);
+  EXPECT_TRUE(loops.front().is_hole());
+  EXPECT_EQ(loops.front().hinges.size(), 8u);
+  const Linkage linkage = make_linkage(sheet);
+  Configuration start = 0.5 * goal(linkage);
+  const Projection found = project(loops, start);
+  EXPECT_TRUE(found.closed) << found.closure.worst;
+  EXPECT_LT(tear(sheet, linkage, found.config).gap, 1e-12);
+}
+
+TEST(Hole, PanelsThatLieOnEachOtherAreRefused) {
+  CreasePattern sheet = miura();
+  sheet.faces.push_back(sheet.faces.front());
+  EXPECT_THROW(real_vertices(sheet), InvalidInput);
+}
+
+TEST(Projector, HasNothingToDoWithoutRealVertices) {
+  const CreasePattern strip = l();
+  const Configuration target = goal(make_linkage(strip));
+  EXPECT_EQ(Projector(strip).project(target).config, target);
+  EXPECT_EQ(Projector(strip).tangent(0 * target, target), target);
+  const CreasePattern panel = miura({.columns = 1, .rows = 1});
+  EXPECT_TRUE(Projector(panel).project(Configuration()).closed);
+}
+
 TEST(Projector, IsReusedWithoutMemory) {
   const CreasePattern sheet = waterbomb({.columns = 6, .rows = 6});
   const Configuration target = goal(make_linkage(sheet));
