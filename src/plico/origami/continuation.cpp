@@ -76,8 +76,16 @@ class Groups {
 
   int size() const { return static_cast<int>(first_.size()); }
   int first(int group) const { return first_[group]; }
-  std::vector<RealVertex> loops(const CreasePattern& sheet) const {
-    return grouped(real_vertices(sheet), group_, sign_);
+  std::vector<RealVertex> loops(const CreasePattern& sheet, const std::vector<int>& essential) const {
+    std::vector<RealVertex> all = real_vertices(sheet);
+    if (essential.empty()) return grouped(std::move(all), group_, sign_);
+    std::vector<RealVertex> some;
+    for (int v : essential) {
+      if (v < 0 || v >= static_cast<int>(all.size()))
+        throw InvalidOption(fmt::format("essential = {} must be in [0, {})", v, all.size()));
+      some.push_back(all[v]);
+    }
+    return grouped(std::move(some), group_, sign_);
   }
   Configuration goals(const Linkage& linkage) const {
     Configuration goals(size());
@@ -107,7 +115,7 @@ class Continuation {
       : options_(options),
         run_(run),
         groups_(linkage, options.groups),
-        projector_(groups_.loops(sheet), groups_.size()),
+        projector_(groups_.loops(sheet, options.essential), groups_.size()),
         projection_(options.projection),
         goal_(groups_.goals(linkage)),
         checker_(linkage, options.collision),

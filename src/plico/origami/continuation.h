@@ -26,6 +26,9 @@ struct ContinuationOptions {
   // The group of each hinge, 0 ... k - 1, or empty for every crease by itself: creases of one group, whose goals must
   // be of one size, turn by one angle, each to its side.
   std::vector<int> groups = {};
+  // The real vertices whose loops are closed, as real_vertices() lists them, or empty for all: what suffices when
+  // creases move in groups (crease_groups.h). The goal must close at all of them; the others are the caller's to check.
+  std::vector<int> essential = {};
   bool hold_flat_facets = false;  // creases of assignment F or J whose goal is 0 stay at 0
   bool unfold_too = true;         // when the way from flat fails, try the way back from the goal
   bool check_collisions = true;
