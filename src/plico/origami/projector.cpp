@@ -13,9 +13,6 @@ namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-// Stiffness that holds a crease: its step comes out at 1e-12 of what it would be.
-constexpr double kHeld = 1e12;
-
 struct Limits {
   Configuration low, high;
 
@@ -76,26 +73,29 @@ class Projector::Equations {
     return worst;
   }
 
-  // The derivative at `config`, and its normal matrix without held creases.
-  void linearize(const Configuration& config, double damping) {
+  // The derivative at `config`.
+  void linearize(const Configuration& config) {
     for (std::size_t l = 0; l < loops_.size(); ++l) write_columns(l, config);
+  }
+
+  // Of J^T J + damping I, with the rows and columns of held creases those of the identity.
+  void factorize(double damping, const std::vector<char>& held) {
     double* values = normal_.valuePtr();
     std::fill(values, values + normal_.nonZeros(), 0.0);
-    for (int h = 0; h < num_creases_; ++h) values[diagonal_[h]] = damping;
+    for (int h = 0; h < num_creases_; ++h) values[diagonal_[h]] = held[h] ? 1 : damping;
     const int* slot = slots_.data();
     for (std::size_t l = 0; l < loops_.size(); ++l) {
       const auto& hinges = loops_[l].hinges;
       for (std::size_t i = 0; i < hinges.size(); ++i)
-        for (std::size_t j = 0; j <= i; ++j) {
+        for (std::size_t j = 0; j <= i; ++j, ++slot) {
+          if (held[hinges[i]] || held[hinges[j]]) continue;
           const double product = column(l, i).dot(column(l, j));
-          values[*slot++] += i != j && hinges[i] == hinges[j] ? 2 * product : product;
+          values[*slot] += i != j && hinges[i] == hinges[j] ? 2 * product : product;
         }
     }
+    solver_.factorize(normal_);
   }
 
-  void hold(int crease) { normal_.valuePtr()[diagonal_[crease]] = kHeld; }
-
-  void factorize() { solver_.factorize(normal_); }
   Configuration solve(const Configuration& right) const { return solver_.solve(right); }
 
   Configuration gradient() const { return transposed_times(residual_); }
@@ -182,26 +182,21 @@ namespace {
 template <class Equations, class Right, class Step>
 Configuration solve_within(Equations& equations, const Limits& limits, const Configuration& at, double damping,
                            const Right& right, const Step& step) {
-  equations.linearize(at, damping);
+  equations.linearize(at);
   std::vector<char> held(at.size(), 0);
-  const auto hold = [&](int h) {
-    held[h] = 1;
-    equations.hold(h);
-  };
-  for (int h = 0; h < at.size(); ++h)
-    if (limits.held(h)) hold(h);
+  for (int h = 0; h < at.size(); ++h) held[h] = limits.held(h) ? 1 : 0;
   for (int round = 0;; ++round) {
     Configuration rhs = right(held);
     for (int h = 0; h < at.size(); ++h)
       if (held[h]) rhs[h] = 0;
-    equations.factorize();
+    equations.factorize(damping, held);
     Configuration result = step(equations.solve(rhs));
     bool again = false;
     for (int h = 0; h < at.size(); ++h) {
       if (held[h]) {
         result[h] = 0;
       } else if (limits.blocks(h, at[h], result[h])) {
-        hold(h);
+        held[h] = 1;
         result[h] = 0;
         again = true;
       }
