@@ -101,8 +101,12 @@ std::string line_about(const UnfoldArgs& args, const Mesh& mesh, const NetAndMot
   if (found.net.ending == Ending::Found)
     return fmt::format("{} faces: one net; {} motion {}", mesh.num_faces(), args.foldable,
                        motion_line(found.net.proof));
-  std::string text = fmt::format("no net found whose {} motion is free; the best has {} collisions", args.foldable,
-                                 found.net.collisions);
+  std::string text =
+      found.net.proven_impossible
+          ? fmt::format("no net of this mesh folds by a {} motion: every spanning tree overlaps or collides",
+                        args.foldable)
+          : fmt::format("no net found whose {} motion is free; the best has {} collisions", args.foldable,
+                        found.net.collisions);
   if (found.motion) text += fmt::format("; {} motion {}", name(found.motion->method), motion_line(found.motion->proof));
   return text;
 }
@@ -122,6 +126,7 @@ int unfold_foldable(const UnfoldArgs& args, const Mesh& mesh, const std::vector<
   report["parts"] = verdict.parts;
   report["overlaps"] = verdict.overlaps.count;
   report["collisions"] = found.net.collisions;
+  report["proven_impossible"] = found.net.proven_impossible;
   FoldFile file = fold_file(mesh, net);
   json provenance = session.provenance();
   if (found.motion) {

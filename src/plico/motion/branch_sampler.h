@@ -34,6 +34,9 @@ class BranchSampler {
   void add_sample(double time);
   int num_samples() const { return static_cast<int>(samples_.size()); }
 
+  // Pose of the panel over `side`, seen from the panel that has it.
+  Pose across(int side, double time) const;
+
   struct Conflict {
     int sample, panel_a, panel_b;
   };
@@ -59,7 +62,6 @@ class BranchSampler {
 
   void make_plates(double clearance);
   double angle_at(int side, double time) const;
-  Pose across(int side, double time) const;  // of the panel over `side`, seen from the panel that has it
   void place_all(Sample& sample);
   void place_from(Sample& sample, int root, int barred);
   void place_plate(Sample& sample, int plate) const;

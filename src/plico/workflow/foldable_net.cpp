@@ -6,6 +6,7 @@
 #include "plico/base/error.h"
 #include "plico/base/rng.h"
 #include "plico/mesh/measures.h"
+#include "plico/motion/clear_trees.h"
 #include "plico/motion/collision.h"
 #include "plico/unfold/foldable.h"
 #include "plico/unfold/heuristics.h"
@@ -13,6 +14,8 @@
 
 namespace plico {
 namespace {
+
+constexpr long kStepsBeforeAllTrees = 100'000;  // well below a second
 
 PanelKit kit_of(const Mesh& mesh) {
   PanelKit kit;
@@ -95,6 +98,29 @@ class SampledCost : public MotionCost {
   BranchSampler sampler_;
 };
 
+// Replaces `found` by a net that folds if there is one. False when there is certainly none.
+bool look_at_all_trees(const Mesh& mesh, const PanelKit& kit, FoldingLaw law, double clearance, const Run& run,
+                       FoldableResult& found) {
+  run.report("looking at every spanning tree", 0);
+  bool any_clear = false;
+  const auto proves_free = [&](const std::vector<char>& joined) {
+    any_clear = true;
+    FoldForest tree{std::vector<char>(mesh.num_edges(), 0)};
+    for (int h = 0; h < mesh.num_halfedges(); ++h)
+      if (joined[h]) tree.is_fold[mesh.edge(HalfedgeId(h))] = 1;
+    const Linkage linkage = linkage_of(lay_flat(mesh, tree));
+    if (prove_path(linkage, path_by(law, linkage), {.clearance = clearance}, run).verdict != PathVerdict::Free)
+      return false;
+    found.tree = std::move(tree);
+    found.overlaps = found.collisions = 0;
+    return true;
+  };
+  const ClearTreesOptions options{.law = law, .clearance = clearance, .touch = 1e-3 * clearance};
+  const ClearTrees trees = find_clear_trees(kit, options, proves_free, run);
+  if (trees.ending != Ending::Exhausted) found.ending = trees.ending;
+  return any_clear || !trees.complete;
+}
+
 // The planner gets the rest of the time.
 Run leaving_a_quarter(const Run& run) {
   const std::chrono::duration<double> left = *run.deadline - Run::Clock::now();
@@ -125,9 +151,18 @@ FoldableNet find_foldable_net(const Mesh& mesh, const FoldableNetOptions& option
   };
   const double clearance = options.clearance > 0 ? options.clearance : default_clearance_of(kit);
   const auto new_cost = [&] { return std::make_unique<SampledCost>(mesh, kit, options, clearance); };
-  const FoldableResult found =
-      find_foldable_net(mesh, start, new_cost, {.seed = options.seed, .max_steps = options.max_steps}, run);
-  FoldableNet result{found.ending, found.tree, found.collisions, found.steps, {}, {}};
+  const auto search = [&](long steps) {
+    return find_foldable_net(mesh, start, new_cost, {.seed = options.seed, .max_steps = steps}, run);
+  };
+  const bool is_small = mesh.num_edges() <= kMostJoints;
+  FoldableResult found = search(is_small ? std::min(options.max_steps, kStepsBeforeAllTrees) : options.max_steps);
+  bool impossible = false;
+  if (is_small && found.ending == Ending::Exhausted) {
+    impossible = !look_at_all_trees(mesh, kit, options.law, clearance, run, found);
+    if (!impossible && found.ending == Ending::Exhausted && options.max_steps > kStepsBeforeAllTrees)
+      found = search(options.max_steps);
+  }
+  FoldableNet result{found.ending, found.tree, impossible, found.collisions, found.steps, {}, {}};
   if (found.overlaps > 0) result.tree = find_net(mesh, {.seed = options.seed}, run).forest;
   const Linkage linkage = linkage_of(lay_flat(mesh, result.tree));
   result.path = path_by(options.law, linkage);

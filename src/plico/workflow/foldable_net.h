@@ -26,13 +26,16 @@ struct FoldableNet {
   // Found: one net whose motion is proven free; otherwise the net with fewest collisions, or, when none was seen, a
   // forest of several parts. It never overlaps.
   FoldForest tree;
-  long collisions = 0;  // colliding pairs over the samples that the search had in the end
-  long steps = 0;       // branches tried
-  FoldingPath path;     // of make_linkage(lay_flat(mesh, tree)), by the law
-  PathProof proof;      // Free exactly when ending is Found
+  bool proven_impossible = false;  // every spanning tree overlaps or collides at a sample of its motion
+  long collisions = 0;             // colliding pairs over the samples that the search had in the end
+  long steps = 0;                  // branches tried
+  FoldingPath path;                // of make_linkage(lay_flat(mesh, tree)), by the law
+  PathProof proof;                 // Free exactly when ending is Found
 };
 
-// The mesh must be connected, otherwise throws InvalidInput.
+// Meshes of up to kMostJoints edges that resist the search are looked at tree by tree for a while
+// (motion/clear_trees.h): some have no net that folds by the law. The mesh must be connected, otherwise throws
+// InvalidInput.
 FoldableNet find_foldable_net(const Mesh& mesh, const FoldableNetOptions& options = {}, const Run& run = {});
 
 // The net that folds by the law; if the search found none, its best net with the best motion that a planner finds.
