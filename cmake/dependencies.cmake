@@ -8,6 +8,7 @@ plico_needs(PkgConfig)
 pkg_check_modules(cairo REQUIRED IMPORTED_TARGET GLOBAL cairo)
 pkg_check_modules(qpdf REQUIRED IMPORTED_TARGET GLOBAL libqpdf>=11)
 plico_needs(ZLIB)
+plico_needs(pugixml)
 pkg_check_modules(ompl REQUIRED IMPORTED_TARGET GLOBAL ompl)
 # Its flags name an older C++ standard than ours, and libraries that only its own build needs.
 set_target_properties(PkgConfig::ompl PROPERTIES INTERFACE_COMPILE_OPTIONS "" INTERFACE_LINK_DIRECTORIES ""

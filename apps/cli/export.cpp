@@ -10,12 +10,15 @@
 #include "commands.h"
 #include "motion_report.h"
 #include "plico/base/error.h"
+#include "plico/io/cp.h"
 #include "plico/io/csv.h"
 #include "plico/io/file.h"
 #include "plico/io/fold.h"
 #include "plico/io/gltf.h"
 #include "plico/io/mjcf.h"
+#include "plico/io/pattern_file.h"
 #include "plico/io/png.h"
+#include "plico/io/svg_pattern.h"
 #include "plico/io/urdf.h"
 #include "plico/io/viewer.h"
 #include "plico/verify/path.h"
@@ -47,7 +50,10 @@ std::string name_of(const std::string& path) {
 }
 
 Motion read_motion(const ExportArgs& args, Session& session) {
-  Motion motion{read_fold(session.read(args.file), args.file), {}, {}, args.title};
+  PatternFile pattern = read_pattern(session.read(args.file), args.file);
+  for (const std::string& note : pattern.notes) session.say(note);
+  if (!pattern.notes.empty()) session.report()["notes"] = pattern.notes;
+  Motion motion{std::move(pattern.file), {}, {}, args.title};
   motion.linkage = make_linkage(motion.file.net.sheet, motion.file.net.mate);
   motion.path = motion.file.path ? *motion.file.path : linear_path(motion.linkage);
   if (motion.title.empty()) motion.title = name_of(args.file);
@@ -136,8 +142,11 @@ std::string bytes_for(const std::string& path, const Motion& motion, const Expor
   if (kind == "csv") return write_trajectory_csv(motion.path);
   if (kind == "png") return picture(motion, args);
   if (kind == "html" || kind == "htm") return page(motion, session);
-  throw InvalidOption(
-      fmt::format("cannot tell what to write from '{}'; the extensions are glb, urdf, xml, csv, png, html", path));
+  if (kind == "svg") return write_svg_pattern(motion.file.net.sheet);
+  if (kind == "cp") return write_cp(motion.file.net.sheet);
+  if (kind == "fold") return write_fold(motion.file);
+  throw InvalidOption(fmt::format(
+      "cannot tell what to write from '{}'; the extensions are glb, urdf, xml, csv, png, html, fold, svg, cp", path));
 }
 
 int export_file(const ExportArgs& args, Session& session) {
@@ -167,7 +176,10 @@ Command export_command() {
       .example("plico export bird.fold -o bird.html", "a page with the folding net, opens offline")
       .example("plico export bird.fold -o bird.glb -o bird.png --at 0.5", "an animation, and a picture half way")
       .example("plico export bird.fold -o bird.urdf -o bird.xml -o bird.csv", "ROS, MuJoCo, and the angles as a table")
-      .positional("file", "FOLD file with a net, a crease pattern or a motion", args->file)
+      .example("plico export crane.cp -o crane.fold -o crane.svg",
+               "a crease pattern as FOLD, and for Origami Simulator")
+      .positional("file", "net, crease pattern or motion: FOLD, .cp, .opx or SVG in Origami Simulator's colours",
+                  args->file)
       .option("--title", "TEXT", "name shown on the page and given to the robot; the file's name by default",
               args->title)
       .option("--at", "TIME", "moment of a picture: 0 flat, 1 folded", args->at)

@@ -81,4 +81,14 @@ Assignment assignment_of(double fold_angle, double flat) {
   return fold_angle > 0 ? Assignment::Valley : Assignment::Mountain;
 }
 
+double flat_fold_angle(Assignment assignment) {
+  if (assignment == Assignment::Mountain) return -kPi;
+  return assignment == Assignment::Valley ? kPi : 0;
+}
+
+bool is_hinge(const Crease& edge, const EdgeSides& sides) {
+  return sides.left >= 0 && sides.right >= 0 && edge.assignment != Assignment::Boundary &&
+         edge.assignment != Assignment::Cut;
+}
+
 }  // namespace plico

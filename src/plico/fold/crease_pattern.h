@@ -50,4 +50,10 @@ std::vector<Vec2> polygon(const CreasePattern& pattern, int face);
 // Fold angles of `valley` sign get 'V', of `mountain` sign 'M', those within `flat` radians of zero 'F'.
 Assignment assignment_of(double fold_angle, double flat = 1e-9);
 
+// What a letter alone asks for: mountain and valley are folded flat, -pi and pi; all others 0.
+double flat_fold_angle(Assignment assignment);
+
+// Do the panels beside an edge turn about it? Not at borders and cuts, even when panels touch there.
+bool is_hinge(const Crease& edge, const EdgeSides& sides);
+
 }  // namespace plico

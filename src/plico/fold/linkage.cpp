@@ -8,8 +8,6 @@
 namespace plico {
 namespace {
 
-bool is_hinge(const EdgeSides& sides) { return sides.left >= 0 && sides.right >= 0; }
-
 struct Arc {
   int panel, hinge;
 };
@@ -107,8 +105,8 @@ Linkage make_linkage(const CreasePattern& sheet, const std::vector<int>& mate, i
   }
   const std::vector<EdgeSides> sides = edge_sides(sheet);
   for (int e = 0; e < sheet.num_edges(); ++e) {
-    if (!is_hinge(sides[e])) continue;
     const Crease& crease = sheet.edges[e];
+    if (!is_hinge(crease, sides[e])) continue;
     linkage.hinges.push_back({sides[e].left, sides[e].right, lift(crease.a), lift(crease.b), crease.fold_angle});
   }
   grow_trees(linkage, base);
@@ -119,7 +117,8 @@ Linkage make_linkage(const CreasePattern& sheet, const std::vector<int>& mate, i
 std::vector<int> hinge_of_edge(const CreasePattern& sheet) {
   std::vector<int> hinge;
   int next = 0;
-  for (const EdgeSides& sides : edge_sides(sheet)) hinge.push_back(is_hinge(sides) ? next++ : -1);
+  const std::vector<EdgeSides> sides = edge_sides(sheet);
+  for (int e = 0; e < sheet.num_edges(); ++e) hinge.push_back(is_hinge(sheet.edges[e], sides[e]) ? next++ : -1);
   return hinge;
 }
 

@@ -227,11 +227,6 @@ Assignment assignment(const Json& value, const Frame& frame, std::size_t i) {
   return static_cast<Assignment>((*text)[0]);
 }
 
-double default_angle(Assignment a) {
-  if (a == Assignment::Mountain) return -kPi;
-  return a == Assignment::Valley ? kPi : 0;
-}
-
 class SheetReader {
  public:
   explicit SheetReader(const Frame& frame) : frame_(frame) {}
@@ -349,7 +344,7 @@ class SheetReader {
         edge.assignment = angle && inner ? assignment_of(edge.fold_angle) : Assignment::Unassigned;
         if (!inner) edge.assignment = Assignment::Boundary;
       }
-      if (!angle) edge.fold_angle = default_angle(edge.assignment);
+      if (!angle) edge.fold_angle = flat_fold_angle(edge.assignment);
     }
   }
 
