@@ -81,23 +81,22 @@ class Frog::Search {
   void set_patience(long samples) { options_.patience = samples; }
 
  private:
-  double tolerance() const {
-    return std::max(1e-9,
-                    options_.find == FindFoldable::Nlopt ? options_.nlopt.tolerance : options_.projection.tolerance);
-  }
-
   bool valid_end(const Configuration& config, FrogResult& result) {
     ++result.counts.tested;
     const double open = closure(projector_.vertices(), config).worst;
     result.worst_residual = std::max(result.worst_residual, open);
-    return open <= tolerance() && !collides(config);
+    return open <= std::max(1e-9, options_.projection.tolerance) && !collides(config);
   }
 
   bool collides(const Configuration& config) { return options_.check_collisions && checker_.collides(config); }
 
   Projection find_foldable(const Configuration& near) {
-    return options_.find == FindFoldable::Nlopt ? project_by_nlopt(projector_.vertices(), near, options_.nlopt)
-                                                : projector_.project(near, options_.projection);
+    if (options_.find == FindFoldable::GaussNewton) return projector_.project(near, options_.projection);
+    const Projection found = project_by_nlopt(projector_.vertices(), near, options_.nlopt);
+    if (!found.closed) return found;
+    Projection tight = projector_.project(found.config, options_.projection);
+    tight.steps += found.steps;
+    return tight;
   }
 
   // The last step goes to the goal itself, which was tested before.

@@ -25,7 +25,7 @@ struct FrogOptions {
   long patience = 20000;        // samples without coming half of D closer before it gives up, at least 1
   FindFoldable find = FindFoldable::GaussNewton;
   ProjectOptions projection = {.tolerance = 1e-12};  // of GaussNewton
-  NloptOptions nlopt = {};                           // of Nlopt
+  NloptOptions nlopt = {};                           // of Nlopt; what it finds, the projection closes tightly
   CollisionOptions collision = {};
   bool check_collisions = true;
 };

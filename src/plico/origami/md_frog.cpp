@@ -16,6 +16,9 @@ namespace {
 // and most that do not would cost many.
 constexpr std::array<long, 3> kPatience = {2, 20, 300};
 
+// Euclidean, radians: waypoints that are not farther apart let the motion between them be proven.
+constexpr double kResolution = 0.1;
+
 using Edge = std::pair<int, int>;  // from the state closer to flat along the path
 
 void check(const MdFrogOptions& o) {
@@ -32,6 +35,7 @@ class Roadmap {
         run_(run),
         linkage_(make_linkage(sheet)),
         vertices_(real_vertices(sheet)),
+        projector_(vertices_, linkage_.num_hinges()),
         checker_(linkage_, options.frog.collision),
         frog_(sheet, options.frog) {
     add(flat(linkage_));
@@ -177,7 +181,7 @@ class Roadmap {
     if (state(from, to) != State::Open) return state(from, to) == State::Holds;
     ++result_.connections_tried;
     Link link = connect(from, to);
-    const bool holds = !link.path.waypoints.empty();
+    const bool holds = !link.path.waypoints.empty() && refine(link.path);
     set_state(from, to, holds ? State::Holds : State::Failed);
     if (!holds) return false;
     Link back{{}, link.connection};
@@ -197,6 +201,29 @@ class Roadmap {
     if (found.ending != Ending::Found) return {};
     result_.worst_residual = std::max(result_.worst_residual, found.worst_residual);
     return {std::move(found.path), Connection::Nonlinear};
+  }
+
+  // Adds waypoints that close; false when there are none, or they collide.
+  bool refine(FoldingPath& path) {
+    std::vector<Waypoint> fine = {path.waypoints.front()};
+    for (std::size_t i = 1; i < path.waypoints.size(); ++i) {
+      const Waypoint &from = path.waypoints[i - 1], &to = path.waypoints[i];
+      const Configuration move = to.config - from.config;
+      const int steps = std::max(1, static_cast<int>(std::ceil(move.norm() / kResolution)));
+      for (int k = 1; k < steps; ++k) {
+        const double share = static_cast<double>(k) / steps;
+        const Configuration start = from.config + share * move;
+        const Projection between = projector_.project(start, options_.frog.projection);
+        result_.tested += between.steps + 1;
+        if (!between.closed || (between.config - start).norm() > kResolution) return false;
+        if (options_.frog.check_collisions && checker_.collides(between.config)) return false;
+        result_.worst_residual = std::max(result_.worst_residual, between.closure.worst);
+        fine.push_back({from.time + share * (to.time - from.time), between.config});
+      }
+      fine.push_back(to);
+    }
+    path.waypoints = std::move(fine);
+    return true;
   }
 
   // The middle first: where a connection fails, it mostly fails there.
@@ -244,10 +271,9 @@ class Roadmap {
   // Can one be bent into the other by averaging? Each average is made foldable first.
   bool blends(const FoldingPath& a, const FoldingPath& b) {
     constexpr int kSamples = 20;
-    Projector projector(vertices_, linkage_.num_hinges());
     for (int i = 1; i < kSamples; ++i) {
       const Configuration p = a.at(i / double{kSamples}), q = b.at(i / double{kSamples});
-      const Projection mid = projector.project((p + q) / 2, {.tolerance = 1e-9});
+      const Projection mid = projector_.project((p + q) / 2, {.tolerance = 1e-9});
       const bool between = (mid.config - (p + q) / 2).norm() <= (p - q).norm() / 2 + 1e-9;
       if (!mid.closed || !between || checker_.collides(mid.config)) return false;
     }
@@ -273,6 +299,7 @@ class Roadmap {
   const Run& run_;
   Linkage linkage_;
   std::vector<RealVertex> vertices_;
+  Projector projector_;
   CollisionChecker checker_;
   Frog frog_;
   std::vector<Configuration> states_;

@@ -6,6 +6,7 @@
 #include "plico/fold/folding_order.h"
 #include "plico/origami/bases.h"
 #include "plico/origami/patterns.h"
+#include "plico/verify/path.h"
 
 namespace plico {
 namespace {
@@ -36,6 +37,7 @@ TEST(MdFrog, FoldsThePatternsOfTable31) {
     const MdFrogResult result = md_frog(sheet);
     ASSERT_EQ(result.ending, Ending::Found);
     expect_folds(sheet, result.paths.front());
+    EXPECT_EQ(prove_path(make_linkage(sheet), result.paths.front().path).verdict, PathVerdict::Free);
   }
 }
 
