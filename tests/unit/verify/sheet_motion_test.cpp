@@ -107,7 +107,8 @@ TEST(SheetProof, FlatFoldedSheetsAreFree) {
                                                           {"l2", l2()},
                                                           {"waterbomb base", waterbomb_base()},
                                                           {"diamond", diamond()}}) {
-    const ContinuationResult found = continue_to_goal(sheet, {.frames = 400, .check_collisions = false});
+    const ContinuationResult found =
+        continue_to_goal(sheet, {.frames = 400, .max_move = 0.05, .check_collisions = false});
     ASSERT_EQ(found.ending, Ending::Found) << name;
     const PathProof proof = prove_path(make_linkage(sheet), found.path);
     EXPECT_EQ(proof.verdict, PathVerdict::Free) << name << " " << proof.from;
