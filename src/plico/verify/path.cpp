@@ -236,8 +236,10 @@ class Proof {
     const Vec3 side = goes_on ? last->second.direction : touching ? side_at_start(direction) : direction;
     const bool turned = direction.dot(side) < 0;
     if (turned && crossed(side)) return give_up(pair, start, end), true;
+    // What lies flat on each other is seen from either side; its own side turns with it.
+    const bool may_turn_back = turned && least_lead(-direction) >= -proof_.touch;
     if (touching || turned)
-      contacts_[key] = {end, turned ? side : direction};
+      contacts_[key] = {end, may_turn_back ? Vec3(-direction) : turned ? side : direction};
     else if (last != contacts_.end())
       contacts_.erase(last);
     return true;
@@ -249,11 +251,13 @@ class Proof {
     return now.value > proof_.rounding ? now.direction : otherwise;
   }
 
-  // Do plates that touch at the start lie beyond touch on the other side at the end?
+  // Do plates that touch at the start lie beyond touch on the other side at the end? Plates that turn together while
+  // they lie flat on each other leave `side` as it was, so the depth is taken along their own direction, too.
   bool crossed(const Vec3& side) const {
-    return lead(a_end_, b_end_, side) < -proof_.touch &&
-           std::abs(separation(a_start_, b_start_).value) <= 2 * proof_.touch &&
-           separation(a_end_, b_end_).direction.dot(side) < 0;
+    if (lead(a_end_, b_end_, side) >= -proof_.touch) return false;
+    if (std::abs(separation(a_start_, b_start_).value) > 2 * proof_.touch) return false;
+    const Vec3 at_end = separation(a_end_, b_end_).direction;
+    return at_end.dot(side) < 0 && lead(a_end_, b_end_, -at_end) < -proof_.touch;
   }
 
   void name_panels(const PlatePair& pair) {

@@ -118,6 +118,26 @@ TEST(SheetProof, FlatFoldedSheetsAreFree) {
   }
 }
 
+// A third of the letter after the other, then the bend across all layers, in which they lie flat on each other.
+TEST(SheetProof, AStackMayTurn) {
+  const Linkage linkage = make_linkage(letter());
+  constexpr int kSteps = 200;
+  FoldingPath path;
+  path.waypoints.push_back({0, flat(linkage)});
+  for (const auto& hinges : std::vector<std::vector<int>>{{0, 1}, {2, 3}, {4, 5, 6}}) {
+    const Waypoint start = path.waypoints.back();
+    for (int k = 1; k <= kSteps; ++k) {
+      Waypoint next = start;
+      next.time += k / (3.0 * kSteps);
+      for (int h : hinges) next.config[h] = k * linkage.hinges[h].target / kSteps;
+      path.waypoints.push_back(next);
+    }
+  }
+  path.waypoints.back().time = 1;
+  const PathProof proof = prove_path(linkage, path);
+  EXPECT_EQ(proof.verdict, PathVerdict::Free) << proof.from << ": " << proof.panel_a << " " << proof.panel_b;
+}
+
 TEST(SheetProof, AWaypointThatDoesNotCloseIsNamed) {
   const Linkage linkage = make_linkage(miura());
   FoldingPath path = miura_path(3, 90, 60);
