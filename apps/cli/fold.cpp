@@ -134,8 +134,8 @@ Command fold_command() {
       .example("plico fold miura.fold --max-fold-angle 150deg -o motion.fold",
                "a crease pattern with loops, as far as the material folds")
       .positional("net", "FOLD file with a net or a crease pattern; - for standard input", args->net)
-      .choice("--planner", "auto tries linear, then uniform, then lazy-prm; with loops continuation", args->planner,
-              motion_methods())
+      .choice("--planner", "auto tries linear, then uniform, then lazy-prm; with loops continuation, then md-frog",
+              args->planner, motion_methods())
       .option("--alternatives", "N", "motions wanted; written beside the first as NAME-2.fold, ...", args->alternatives)
       .option("--clearance", "LENGTH", "how far panels are shrunk, in the file's unit; 0: 1/1000 of the mean side",
               args->clearance)

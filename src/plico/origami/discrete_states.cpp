@@ -131,7 +131,7 @@ class Enumeration {
   }
 
  private:
-  bool full() const { return static_cast<long>(result_.states.size()) >= most_; }
+  bool full() const { return static_cast<long>(result_.states.size()) >= most_ || result_.tested >= kMostTested; }
 
   void descend(std::size_t level) {
     if (level == schedule_.groups.size()) {

@@ -29,10 +29,13 @@ struct DiscreteStates {
   long tested = 0;                    // vertices walked around
 };
 
+inline constexpr long kMostTested = 2000000;  // about two seconds
+
 // All of them, in lexical order, by choosing the angles vertex after vertex and going on only where the loop closes;
-// at most `most`, then the search ends Exhausted. Collisions are not looked at: panels that lie on each other make most
-// of these states, and touching is allowed. Exponential in the worst case; 0.01 s for the 32 creases of the sailboat.
-// Throws InvalidInput when `groups` does not fit or joins creases of different angle sets.
+// at most `most`, and after kMostTested vertices walked around, then the search ends Exhausted. Collisions are not
+// looked at: panels that lie on each other make most of these states, and touching is allowed. Exponential in the worst
+// case; 0.01 s for the 32 creases of the sailboat. Throws InvalidInput when `groups` does not fit or joins creases of
+// different angle sets.
 DiscreteStates discrete_states(const CreasePattern& sheet, const DiscreteOptions& options = {}, long most = 100000,
                                const Run& run = {});
 

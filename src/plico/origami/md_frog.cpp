@@ -23,6 +23,9 @@ using Edge = std::pair<int, int>;  // from the state closer to flat along the pa
 
 void check(const MdFrogOptions& o) {
   if (o.max_states < 0) throw InvalidOption(fmt::format("max states = {} must be at least 0", o.max_states));
+  if (o.max_connections < 0)
+    throw InvalidOption(fmt::format("max connections = {} must be at least 0", o.max_connections));
+  if (o.max_refuted < 0) throw InvalidOption(fmt::format("max refuted = {} must be at least 0", o.max_refuted));
   if (o.alternatives < 1) throw InvalidOption(fmt::format("alternatives = {} must be at least 1", o.alternatives));
   if (o.linear_samples < 1)
     throw InvalidOption(fmt::format("linear samples = {} must be at least 1", o.linear_samples));
@@ -67,6 +70,12 @@ class Roadmap {
         return std::move(result_);
       }
       MdFrogPath path = assemble(*way);
+      if (options_.refute)
+        if (const std::optional<double> time = options_.refute(path.path)) {
+          remove_connection_at(path, *way, *time);
+          if (++result_.refuted > options_.max_refuted) break;
+          continue;
+        }
       const bool is_new = std::none_of(result_.paths.begin(), result_.paths.end(),
                                        [&](const MdFrogPath& other) { return blends(other.path, path.path); });
       if (is_new) result_.paths.push_back(std::move(path));
@@ -99,7 +108,7 @@ class Roadmap {
 
   // A way through all stops whose every connection holds; nothing when there is none, or the run is over.
   std::optional<std::vector<int>> next_way() {
-    while (!run_.over()) {
+    while (!run_.over() && result_.connections_tried <= options_.max_connections) {
       std::vector<int> way = {stops_.front()};
       for (std::size_t i = 1; i < stops_.size(); ++i) {
         const std::vector<int> part = shortest(stops_[i - 1], stops_[i]);
@@ -251,6 +260,7 @@ class Roadmap {
     std::vector<Waypoint>& waypoints = result.path.waypoints;
     waypoints.push_back({0, states_[way.front()]});
     result.states.push_back(states_[way.front()]);
+    result.times.push_back(0);
     double length = 0;
     for (std::size_t i = 1; i < way.size(); ++i) {
       const Link& link = links_.at({way[i - 1], way[i]});
@@ -260,10 +270,12 @@ class Roadmap {
         waypoints.push_back({length, config});
       }
       result.states.push_back(states_[way[i]]);
+      result.times.push_back(length);
       result.connections.push_back(link.connection);
     }
     if (waypoints.size() == 1) waypoints.push_back({1, waypoints.front().config}), length = 1;  // a goal that is flat
     for (Waypoint& waypoint : waypoints) waypoint.time /= length;
+    for (double& time : result.times) time /= length;
     waypoints.back().time = 1;
     return result;
   }
@@ -278,6 +290,11 @@ class Roadmap {
       if (!mid.closed || !between || checker_.collides(mid.config)) return false;
     }
     return true;
+  }
+
+  void remove_connection_at(const MdFrogPath& path, const std::vector<int>& way, double time) {
+    const auto end = std::upper_bound(path.times.begin() + 1, path.times.end() - 1, time) - path.times.begin();
+    set_state(way[end - 1], way[end], State::Left);
   }
 
   // Makes the next way another one: the states in between are not to be used again; a direct way has none to avoid.

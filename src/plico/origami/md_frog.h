@@ -1,5 +1,8 @@
 // MD-FROG: a planner for rigid origami with several degrees of freedom. Source: [Xi17] 3.2.
 #pragma once
+#include <functional>
+#include <optional>
+
 #include "plico/origami/discrete_states.h"
 #include "plico/origami/frog.h"
 
@@ -12,7 +15,12 @@ struct MdFrogOptions {
   FrogOptions frog = {.step = 0.25, .initial_weight = 1, .reward = 0.2, .penalty = 0.01, .max_samples = 300};
   std::vector<Configuration> intermediate = {};  // to be passed in this order, by the user; each must close
   int alternatives = 1;                          // paths wanted, at least 1
-  int linear_samples = 32;                       // configurations looked at along a linear connection, at least 1
+  long max_connections = 20000;                  // tried, at least 0
+  // A closer look at a path: the time at which it fails there, if it does. The connection at that time is removed, and
+  // the search goes on, after at most `max_refuted` of them.
+  std::function<std::optional<double>(const FoldingPath&)> refute = {};
+  int max_refuted = 300;    // at least 0
+  int linear_samples = 32;  // configurations looked at along a linear connection, at least 1
 };
 
 // How two neighbouring states of a path were connected.
@@ -21,6 +29,7 @@ enum class Connection { Linear, Nonlinear };
 struct MdFrogPath {
   FoldingPath path;                     // waypoints close and are free of collision; times by distance
   std::vector<Configuration> states;    // of the roadmap, from flat to the goal
+  std::vector<double> times;            // of these
   std::vector<Connection> connections;  // one fewer
 };
 
@@ -31,6 +40,7 @@ struct MdFrogResult {
   long samples = 0;                   // configurations looked at on connections
   long tested = 0;                    // evaluations of the closure, those for the states included
   long connections_tried = 0;
+  int refuted = 0;            // paths
   double worst_residual = 0;  // of all waypoints, radians
 };
 

@@ -10,8 +10,8 @@
 namespace plico {
 namespace {
 
-constexpr std::array<std::string_view, 7> kMethods = {"auto",        "linear", "uniform",     "lazy-prm",
-                                                      "rrt-connect", "prm",    "continuation"};
+constexpr std::array<std::string_view, 9> kMethods = {"auto", "linear",       "uniform", "lazy-prm", "rrt-connect",
+                                                      "prm",  "continuation", "frog",    "md-frog"};
 constexpr int kTriesPerAlternative = 20;
 
 Planner planner_of(MotionMethod method) {
@@ -93,13 +93,15 @@ MotionMethod motion_method(std::string_view name) {
   return static_cast<MotionMethod>(at - kMethods.begin());
 }
 
+bool is_for_loops(MotionMethod method) { return method >= MotionMethod::Continuation; }
+
 std::string_view name(MotionMethod method) { return kMethods[static_cast<std::size_t>(method)]; }
 
 MotionOutcome plan_motion(const Linkage& linkage, const MotionOptions& options, const Run& run) {
   if (options.alternatives < 1)
     throw InvalidOption(fmt::format("alternatives = {} must be at least 1", options.alternatives));
-  if (options.method == MotionMethod::Continuation)
-    throw InvalidOption("continuation is for crease patterns with loops; this sheet has none");
+  if (is_for_loops(options.method))
+    throw InvalidOption(fmt::format("{} is for crease patterns with loops; this sheet has none", name(options.method)));
   return Planning(linkage, options, run).plan();
 }
 

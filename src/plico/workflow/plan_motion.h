@@ -11,11 +11,12 @@
 
 namespace plico {
 
-// Continuation is for sheets with loops (workflow/plan_origami.h), the other planners for trees.
-enum class MotionMethod { Auto, Linear, Uniform, LazyPrm, RrtConnect, Prm, Continuation };
+// Continuation, Frog and MdFrog are for sheets with loops (workflow/plan_origami.h), the other planners for trees.
+enum class MotionMethod { Auto, Linear, Uniform, LazyPrm, RrtConnect, Prm, Continuation, Frog, MdFrog };
 std::vector<std::string> motion_methods();          // "auto", "linear", ..., in the order above
 MotionMethod motion_method(std::string_view name);  // throws InvalidOption
 std::string_view name(MotionMethod method);
+bool is_for_loops(MotionMethod method);
 
 struct MotionOptions {
   std::uint64_t seed = 1;

@@ -5,6 +5,7 @@
 
 #include "plico/base/error.h"
 #include "plico/origami/continuation.h"
+#include "plico/origami/md_frog.h"
 
 namespace plico {
 namespace {
@@ -14,6 +15,8 @@ constexpr int kMostPieces = 64;       // that one step is cut into at once
 constexpr int kRefinements = 3;       // the first does nearly all; the others meet steps that were not straight
 constexpr double kLimitSlack = 1e-9;  // radians
 constexpr int kMostLimitedNamed = 3;
+constexpr int kMostCreasesNamed = 4;
+constexpr int kMostCreasesSearched = 64;  // without being asked: the number of discrete states grows exponentially
 
 std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
 
@@ -21,9 +24,13 @@ std::string place_of(const CreasePattern& sheet, int vertex) {
   return fmt::format("vertex {} ({:.6g}, {:.6g})", vertex, sheet.vertices[vertex].x(), sheet.vertices[vertex].y());
 }
 
-std::string crease_of(const CreasePattern& sheet, int hinge) {
+int edge_of(const CreasePattern& sheet, int hinge) {
   const std::vector<int> hinges = hinge_of_edge(sheet);
-  const auto edge = static_cast<int>(std::find(hinges.begin(), hinges.end(), hinge) - hinges.begin());
+  return static_cast<int>(std::find(hinges.begin(), hinges.end(), hinge) - hinges.begin());
+}
+
+std::string crease_of(const CreasePattern& sheet, int hinge) {
+  const int edge = edge_of(sheet, hinge);
   const Crease& crease = sheet.edges[edge];
   const Vec2 middle = (sheet.vertices[crease.a] + sheet.vertices[crease.b]) / 2;
   return fmt::format("crease {} (vertices {}-{}, near {:.6g} {:.6g})", edge, crease.a, crease.b, middle.x(),
@@ -70,6 +77,23 @@ class OrigamiPlanning {
 
   MotionOutcome plan() {
     close_goal();
+    switch (options_.method) {
+      case MotionMethod::Frog:
+        walk_randomly();
+        break;
+      case MotionMethod::MdFrog:
+        search_states();
+        break;
+      default:
+        continue_straight(options_.method == MotionMethod::Auto);
+    }
+    if (run_.over() && !outcome_.proven()) outcome_.ending = run_.ending();
+    return std::move(outcome_);
+  }
+
+ private:
+  // What is blocked on the straight way may be folded in another order: one crease after the other.
+  void continue_straight(bool may_go_round) {
     const bool within = goal_within_limits();
     ContinuationOptions continuation;
     continuation.frames = options_.waypoints;
@@ -82,12 +106,96 @@ class OrigamiPlanning {
     outcome_.ending = found.ending;
     outcome_.progress = found.progress;
     if (const std::string note = obstacle_note(sheet_, found); !note.empty()) outcome_.notes.push_back(note);
-    if (found.path.waypoints.size() > 1) prove(found.path);
-    if (run_.over() && !outcome_.proven()) outcome_.ending = run_.ending();
-    return std::move(outcome_);
+    if (found.ending == Ending::Found) prove(found.path, MotionMethod::Continuation);
+    const bool blocked = found.obstacle != Obstacle::None && found.obstacle != Obstacle::GoalOpen;
+    const bool refuted = found.ending == Ending::Found && !outcome_.proven();
+    if (may_go_round && within && (blocked || refuted) && !goal_collides() && !run_.over()) {
+      if (linkage_.num_hinges() <= kMostCreasesSearched && search_states()) return;
+      if (linkage_.num_hinges() > kMostCreasesSearched)
+        outcome_.notes.push_back(fmt::format("{} creases are many for a search of other ways; --planner md-frog tries",
+                                             linkage_.num_hinges()));
+    }
+    if (found.ending != Ending::Found && found.path.waypoints.size() > 1) prove(found.path, MotionMethod::Continuation);
   }
 
- private:
+  // Then no way leads there.
+  bool goal_collides() {
+    const std::vector<PanelPair> pairs =
+        CollisionChecker(linkage_, {.clearance = options_.clearance}).collisions(goal(linkage_));
+    if (pairs.empty()) return false;
+    outcome_.ending = Ending::Exhausted;
+    outcome_.notes.push_back(
+        fmt::format("the goal collides with itself: panels {}, {}", pairs.front().a, pairs.front().b));
+    return true;
+  }
+
+  void walk_randomly() {
+    if (goal_collides()) return;
+    FrogOptions frog;
+    frog.seed = options_.seed;
+    frog.collision.clearance = options_.clearance;
+    const FrogResult found = plico::frog(sheet_, frog, run_);
+    outcome_.ending = found.ending;
+    const double whole = goal(linkage_).norm();
+    outcome_.progress = whole > 0 ? 1 - found.distance / whole : 1;
+    if (found.ending == Ending::Exhausted)
+      outcome_.notes.push_back(
+          fmt::format("FROG stopped after {} samples, {:.3g} rad from the goal", found.counts.sampled, found.distance));
+    if (found.path.waypoints.size() > 1) prove(found.path, MotionMethod::Frog);
+  }
+
+  // Through discrete states; a path that the proof refutes costs one connection. True when there is a proven motion.
+  bool search_states() {
+    if (closure(real_vertices(sheet_), goal(linkage_)).worst > 1e-9) {
+      outcome_.ending = Ending::Exhausted;
+      outcome_.notes.emplace_back("not rigid: the goal does not close");
+      return false;
+    }
+    if (options_.method == MotionMethod::MdFrog && goal_collides()) return false;
+    MdFrogOptions options;
+    options.frog.seed = options_.seed;
+    options.frog.collision.clearance = options_.clearance;
+    options.alternatives = options_.alternatives;
+    if (limits_.size() > 0) options.discrete.max_fold_angle = std::max(1e-9, limits_.minCoeff());
+    options.refute = [&](const FoldingPath& path) -> std::optional<double> {
+      const FoldingPath fine = refine_path(sheet_, path, kGapShare * clearance_, run_);
+      const PathProof proof = prove_path(linkage_, fine, {.clearance = options_.clearance}, run_);
+      if (proof.verdict == PathVerdict::Free) return {};
+      return (proof.from + proof.to) / 2;
+    };
+    const MdFrogResult found = md_frog(sheet_, options, run_);
+    if (found.paths.empty()) {
+      if (outcome_.motions.empty()) outcome_.ending = found.ending;
+      outcome_.notes.push_back(
+          fmt::format("no {}way through {} discrete states: {} connections tried, {} ways refuted by the proof",
+                      outcome_.notes.empty() ? "" : "other ", found.states, found.connections_tried, found.refuted));
+      return false;
+    }
+    outcome_ = {};
+    outcome_.ending = found.ending;
+    outcome_.progress = 1;
+    for (const MdFrogPath& path : found.paths) prove(path.path, MotionMethod::MdFrog);
+    outcome_.notes.push_back(told(found.paths.front()));
+    return outcome_.proven();
+  }
+
+  // The creases that turn between one state and the next.
+  std::string told(const MdFrogPath& path) const {
+    std::string steps;
+    for (std::size_t i = 1; i < path.states.size(); ++i) {
+      std::string creases;
+      int count = 0;
+      for (int h = 0; h < path.states[i].size(); ++h) {
+        if (std::abs(path.states[i][h] - path.states[i - 1][h]) < kLimitSlack) continue;
+        if (++count <= kMostCreasesNamed) creases += fmt::format("{}{}", count > 1 ? ", " : "", edge_of(sheet_, h));
+      }
+      const bool all_named = count <= kMostCreasesNamed;
+      steps += fmt::format("{}{} crease{}{}", i > 1 ? ", then " : "", count, count == 1 ? "" : "s",
+                           all_named ? fmt::format(" ({})", creases) : "");
+    }
+    return fmt::format("folding order: {}", steps);
+  }
+
   // Angles in files are often rounded; what is nearly closed is meant to be closed.
   void close_goal() {
     const Configuration wanted = goal(linkage_);
@@ -133,7 +241,7 @@ class OrigamiPlanning {
     outcome_.progress = path.waypoints.empty() ? 0 : path.waypoints.back().time;
   }
 
-  void prove(const FoldingPath& planned) {
+  void prove(const FoldingPath& planned, MotionMethod method) {
     FoldingPath path = planned;
     const double reached = path.waypoints.back().time;
     scale_times(path);
@@ -142,7 +250,7 @@ class OrigamiPlanning {
     keep_limits(path);
     if (path.waypoints.size() < 2) return;
     scale_times(path);
-    Motion motion{MotionMethod::Continuation, std::move(path), {}};
+    Motion motion{method, std::move(path), {}};
     motion.proof = prove_path(linkage_, motion.path, {.clearance = options_.clearance}, run_);
     if (motion.proof.verdict != PathVerdict::Free && outcome_.ending == Ending::Found)
       outcome_.ending = Ending::Exhausted;
@@ -200,9 +308,9 @@ FoldingPath refine_path(const CreasePattern& sheet, const FoldingPath& path, dou
 
 MotionOutcome plan_origami(const CreasePattern& sheet, const MotionOptions& options, const Configuration& limits,
                            const Run& run) {
-  if (options.method != MotionMethod::Auto && options.method != MotionMethod::Continuation)
-    throw InvalidOption(fmt::format("{} is for sheets without loops; try auto or continuation",
-                                    motion_methods()[static_cast<int>(options.method)]));
+  if (options.method != MotionMethod::Auto && !is_for_loops(options.method))
+    throw InvalidOption(
+        fmt::format("{} is for sheets without loops; try auto, continuation, frog or md-frog", name(options.method)));
   return OrigamiPlanning(sheet, options, limits, run).plan();
 }
 

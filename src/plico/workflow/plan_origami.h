@@ -13,6 +13,8 @@ namespace plico {
 //     ends before that.
 //   - A plan that ends early gives the motion up to there, its times scaled to [0, 1], and Ending::Exhausted; `notes`
 //     say why: "not rigid: ...", "left the branch ...", "collides ...", "limited ...".
+//   - When the straight way is blocked and the sheet has at most 64 creases, Auto looks for another one with MD-FROG
+//     (origami/md_frog.h), which the proof judges path by path. Frog and MdFrog are the dissertation's planners alone.
 // Deterministic. Throws InvalidOption for a method that is for trees, InvalidInput when sizes differ.
 MotionOutcome plan_origami(const CreasePattern& sheet, const MotionOptions& options = {},
                            const Configuration& limits = {}, const Run& run = {});

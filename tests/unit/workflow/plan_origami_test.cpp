@@ -10,6 +10,7 @@
 namespace plico {
 namespace {
 
+using testing::MatchesRegex;
 using testing::StartsWith;
 
 TEST(PlanOrigami, EveryMotionIsProvenAndOpensByAFifthOfTheClearance) {
@@ -64,7 +65,49 @@ TEST(PlanOrigami, ACollisionEndsTheMotionBeforeIt) {
   ASSERT_TRUE(outcome.proven());
   EXPECT_NEAR(outcome.progress, 49.28 / 55, 0.03);
   EXPECT_EQ(outcome.motions.front().path.waypoints.back().time, 1);
-  EXPECT_THAT(outcome.notes.back(), StartsWith("collides after"));
+  EXPECT_THAT(outcome.notes.front(), StartsWith("collides after"));
+  EXPECT_THAT(outcome.notes.back(), StartsWith("the goal collides with itself"));
+}
+
+// All creases at once lead the letter's outer thirds, and the sailboat's flaps, through each other.
+TEST(PlanOrigami, WhatIsBlockedStraightOnIsFoldedInAnotherOrder) {
+  const MotionOutcome outcome = plan_origami(letter());
+  EXPECT_EQ(outcome.ending, Ending::Found);
+  ASSERT_TRUE(outcome.proven());
+  EXPECT_EQ(outcome.motions.front().method, MotionMethod::MdFrog);
+  ASSERT_EQ(outcome.notes.size(), 1u);
+  EXPECT_THAT(outcome.notes.front(), MatchesRegex("folding order: 2 creases .*, then 2 creases .*, then 3 creases .*"));
+  const Configuration end = outcome.motions.front().path.waypoints.back().config;
+  EXPECT_LT((end - goal(make_linkage(letter()))).lpNorm<Eigen::Infinity>(), 1e-12);
+  EXPECT_EQ(plan_origami(letter(), {.method = MotionMethod::Continuation}).ending, Ending::Exhausted);
+}
+
+TEST(PlanOrigami, TheSailboatFolds) {
+  const MotionOutcome outcome = plan_origami(sailboat());
+  EXPECT_EQ(outcome.ending, Ending::Found);
+  ASSERT_TRUE(outcome.proven());
+  EXPECT_EQ(outcome.motions.front().method, MotionMethod::MdFrog);
+}
+
+TEST(PlanOrigami, TheDissertationsPlannersAreProvenLikeOurs) {
+  for (const MotionMethod method : {MotionMethod::Frog, MotionMethod::MdFrog})
+    for (const CreasePattern& sheet : {l2(), diamond(), box1(), miura({.columns = 4, .rows = 4})}) {
+      const MotionOutcome outcome = plan_origami(sheet, {.method = method});
+      EXPECT_EQ(outcome.ending, Ending::Found);
+      ASSERT_TRUE(outcome.proven());
+      EXPECT_EQ(outcome.motions.front().method, method);
+    }
+}
+
+TEST(PlanOrigami, AGoalThatCollidesIsNotSearchedFor) {
+  const CreasePattern tube = waterbomb({.columns = 12, .rows = 4, .diagonal_angle = radians(55)});
+  for (const MotionMethod method : {MotionMethod::Frog, MotionMethod::MdFrog}) {
+    const MotionOutcome outcome = plan_origami(tube, {.method = method});
+    EXPECT_EQ(outcome.ending, Ending::Exhausted);
+    EXPECT_TRUE(outcome.motions.empty());
+    ASSERT_EQ(outcome.notes.size(), 1u);
+    EXPECT_THAT(outcome.notes.front(), StartsWith("the goal collides with itself: panels"));
+  }
 }
 
 TEST(PlanOrigami, RoundedGoalsAreMovedToTheNearestThatCloses) {
