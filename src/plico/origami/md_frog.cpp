@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <optional>
+#include <queue>
+#include <set>
+#include <string>
+#include <tuple>
 
 #include "plico/base/error.h"
+#include "plico/origami/layers.h"
 
 namespace plico {
 namespace {
@@ -18,6 +22,8 @@ constexpr std::array<long, 3> kPatience = {2, 20, 300};
 
 // Euclidean, radians: waypoints that are not farther apart let the motion between them be proven.
 constexpr double kResolution = 0.1;
+
+constexpr double kEstimate = 1e6;  // estimates that differ by less than 1 / kEstimate are equal
 
 using Edge = std::pair<int, int>;  // from the state closer to flat along the path
 
@@ -40,6 +46,7 @@ class Roadmap {
         vertices_(real_vertices(sheet)),
         projector_(vertices_, linkage_.num_hinges()),
         checker_(linkage_, options.frog.collision),
+        layers_(linkage_, checker_.clearance()),
         frog_(sheet, options.frog) {
     add(flat(linkage_));
     Configuration target = goal(linkage_);
@@ -56,9 +63,6 @@ class Roadmap {
     result_.states = static_cast<long>(states_.size());
     banned_.assign(states_.size(), 0);
     state_.assign(states_.size() * states_.size(), State::Open);
-    length_.resize(state_.size());
-    for (int a = 0; a < num_states(); ++a)
-      for (int b = 0; b < a; ++b) set_state(a, b, State::Open);
     frog_.set_patience(kPatience.front());
   }
 
@@ -72,7 +76,7 @@ class Roadmap {
       MdFrogPath path = assemble(*way);
       if (options_.refute)
         if (const std::optional<double> time = options_.refute(path.path)) {
-          remove_connection_at(path, *way, *time);
+          remove_connection_at(path, *time);
           if (++result_.refuted > options_.max_refuted) break;
           continue;
         }
@@ -106,66 +110,118 @@ class Roadmap {
                          "plico origami info shows which vertices close");
   }
 
+  // How panels lie on each other in a state depends on the way that leads there. So what is searched is a graph of
+  // states together with their order of layers, as far as it has been seen.
+  struct Node {
+    int state;
+    int leg;             // to the stop after this
+    std::string layers;  // the side of each of stacked_[state]: +1, -1, or 0 when no connection told
+    int before;          // node, -1: the start
+    double cost;
+    int depth;
+  };
+  struct Arc {  // to a state that may be next
+    long estimate;
+    int depth;
+    float length;
+    int node, to;
+    // The next is the one of least estimate; of those the one that goes on from the deepest node, by a small step.
+    bool operator<(const Arc& o) const {
+      return std::tuple(estimate, -depth, length, node, to) > std::tuple(o.estimate, -o.depth, o.length, o.node, o.to);
+    }
+  };
+  using Passage = std::tuple<int, int, std::string, int>;  // leg, state, layers, next state
+
   // A way through all stops whose every connection holds; nothing when there is none, or the run is over.
   std::optional<std::vector<int>> next_way() {
-    while (!run_.over() && result_.connections_tried <= options_.max_connections) {
-      std::vector<int> way = {stops_.front()};
-      for (std::size_t i = 1; i < stops_.size(); ++i) {
-        const std::vector<int> part = shortest(stops_[i - 1], stops_[i]);
-        if (part.empty()) {
-          way.clear();
-          break;
-        }
-        way.insert(way.end(), part.begin() + 1, part.end());
-      }
-      if (way.empty()) {
-        if (!try_harder()) return {};
-        continue;
-      }
-      bool holds = true;
-      for (std::size_t i = 1; i < way.size() && holds; ++i) holds = connected(way[i - 1], way[i]);
-      if (holds) return way;
+    do {
+      if (std::optional<std::vector<int>> way = search()) return way;
+    } while (!over() && try_harder());
+    return {};
+  }
+
+  bool over() const { return run_.over() || result_.connections_tried > options_.max_connections; }
+
+  std::optional<std::vector<int>> search() {
+    nodes_.clear();
+    seen_.clear();
+    open_ = {};
+    enter({stops_.front(), 0, layers_at(stops_.front()), -1, 0, 0});
+    while (!open_.empty() && !over()) {
+      const Arc arc = open_.top();
+      open_.pop();
+      const Node from = nodes_[arc.node];
+      if (left_.count({from.leg, from.state, from.layers, arc.to}) > 0 || !connected(from.state, arc.to)) continue;
+      const std::optional<std::string> layers = layers_after(from, arc.to);
+      if (!layers) continue;
+      const bool arrives = arc.to == stops_[from.leg + 1];
+      if (enter({arc.to, from.leg + arrives, *layers, arc.node, from.cost + arc.length, from.depth + 1}))
+        return way_to();
       run_.report("planning", result_.connections_tried, 0);
     }
     return {};
+  }
+
+  // True at the last stop.
+  bool enter(Node node) {
+    if (!seen_.insert({node.leg, node.state, node.layers}).second) return false;
+    const int id = static_cast<int>(nodes_.size());
+    const bool is_last = node.leg + 1 == static_cast<int>(stops_.size());
+    if (!is_last) {
+      const int stop = stops_[node.leg + 1];
+      for (int to = 0; to < num_states(); ++to) {
+        if (to == node.state || (banned_[to] && to != stop) || state(node.state, to) == State::Failed ||
+            state(node.state, to) == State::Left)
+          continue;
+        const float length = measure(node.state, to);
+        const double estimate = node.cost + length + measure(to, stop);
+        open_.push({std::lround(kEstimate * estimate), node.depth, length, id, to});
+      }
+    }
+    nodes_.push_back(std::move(node));
+    return is_last;
+  }
+
+  std::vector<int> way_to() const {
+    std::vector<int> way;
+    for (int i = static_cast<int>(nodes_.size()) - 1; i >= 0; i = nodes_[i].before) way.push_back(nodes_[i].state);
+    std::reverse(way.begin(), way.end());
+    return way;
+  }
+
+  const std::vector<LayerPair>& stacked(int state) {
+    const auto known = stacked_.find(state);
+    return known != stacked_.end() ? known->second
+                                   : stacked_.emplace(state, layers_.stacked(states_[state])).first->second;
+  }
+  std::string layers_at(int state) { return std::string(stacked(state).size(), 0); }
+
+  // Nothing when panels would leave each other on another side than the one that they lie on.
+  std::optional<std::string> layers_after(const Node& from, int to) {
+    const std::vector<LayerPair>&before = stacked(from.state), &after = stacked(to);
+    const std::vector<Waypoint>& waypoints = links_.at({from.state, to}).path.waypoints;
+    const std::vector<signed char> leaving = layers_.sides(before, waypoints[1].config);
+    for (std::size_t i = 0; i < before.size(); ++i)
+      if (leaving[i] * from.layers[i] < 0) return {};
+    const std::vector<signed char> arriving = layers_.sides(after, waypoints[waypoints.size() - 2].config);
+    std::string result(arriving.begin(), arriving.end());
+    for (std::size_t i = 0; i < after.size(); ++i) {
+      if (result[i] != 0) continue;
+      const auto same = std::find_if(before.begin(), before.end(), [&](const LayerPair& pair) {
+        return pair.a == after[i].a && pair.b == after[i].b;
+      });
+      if (same != before.end()) result[i] = from.layers[same - before.begin()];
+    }
+    return result;
   }
 
   // The next round: connections that failed are worth another look.
   bool try_harder() {
     if (++round_ >= kPatience.size()) return false;
     frog_.set_patience(kPatience[round_]);
-    for (int a = 0; a < num_states(); ++a)
-      for (int b = 0; b < a; ++b)
-        if (state(a, b) == State::Failed) set_state(a, b, State::Open);
+    for (State& state : state_)
+      if (state == State::Failed) state = State::Open;
     return true;
-  }
-
-  // Dijkstra on the complete graph without the connections that are barred: O(states^2).
-  std::vector<int> shortest(int from, int to) const {
-    constexpr float kFar = std::numeric_limits<float>::infinity();
-    const int n = num_states();
-    std::vector<float> cost(n, kFar);
-    std::vector<int> before(n, -1), open;
-    for (int i = 0; i < n; ++i)
-      if (!banned_[i] || i == to || i == from) open.push_back(i);
-    cost[from] = 0;
-    while (!open.empty()) {
-      const auto next = std::min_element(open.begin(), open.end(), [&](int a, int b) { return cost[a] < cost[b]; });
-      const int at = *next;
-      if (at == to || cost[at] == kFar) break;
-      *next = open.back();
-      open.pop_back();
-      const float* const length = &length_[static_cast<std::size_t>(at) * n];
-      for (int i : open) {
-        const float through = cost[at] + length[i];
-        if (through < cost[i]) cost[i] = through, before[i] = at;
-      }
-    }
-    std::vector<int> way;
-    if (cost[to] == kFar) return way;
-    for (int i = to; i >= 0; i = before[i]) way.push_back(i);
-    std::reverse(way.begin(), way.end());
-    return way;
   }
 
   float measure(int a, int b) const { return static_cast<float>((states_[a] - states_[b]).squaredNorm()); }
@@ -173,12 +229,8 @@ class Roadmap {
   enum class State : char { Open, Holds, Failed, Left };  // Left: given up on purpose, for another path
   State state(int from, int to) const { return state_[static_cast<std::size_t>(from) * states_.size() + to]; }
   void set_state(int from, int to, State state) {
-    for (const auto& [a, b] : {Edge{from, to}, Edge{to, from}}) {
-      const std::size_t at = static_cast<std::size_t>(a) * states_.size() + b;
-      state_[at] = state;
-      const bool barred = state == State::Failed || state == State::Left;
-      length_[at] = barred ? std::numeric_limits<float>::infinity() : measure(a, b);
-    }
+    for (const auto& [a, b] : {Edge{from, to}, Edge{to, from}})
+      state_[static_cast<std::size_t>(a) * states_.size() + b] = state;
   }
 
   struct Link {
@@ -292,9 +344,13 @@ class Roadmap {
     return true;
   }
 
-  void remove_connection_at(const MdFrogPath& path, const std::vector<int>& way, double time) {
+  // The passage that fails is not to be taken again from a state with these layers.
+  void remove_connection_at(const MdFrogPath& path, double time) {
     const auto end = std::upper_bound(path.times.begin() + 1, path.times.end() - 1, time) - path.times.begin();
-    set_state(way[end - 1], way[end], State::Left);
+    int at = static_cast<int>(nodes_.size()) - 1;
+    for (auto left = static_cast<std::ptrdiff_t>(path.times.size()) - 1; left > end; --left) at = nodes_[at].before;
+    const Node& from = nodes_[nodes_[at].before];
+    left_.insert({from.leg, from.state, from.layers, nodes_[at].state});
   }
 
   // Makes the next way another one: the states in between are not to be used again; a direct way has none to avoid.
@@ -318,12 +374,17 @@ class Roadmap {
   std::vector<RealVertex> vertices_;
   Projector projector_;
   CollisionChecker checker_;
+  Layers layers_;
   Frog frog_;
   std::vector<Configuration> states_;
   std::vector<int> stops_;
-  std::vector<char> banned_;    // states that a further path must not use
-  std::vector<State> state_;    // of each connection, states x states
-  std::vector<float> length_;   // of each, squared, infinite where it is barred
+  std::vector<char> banned_;                       // states that a further path must not use
+  std::vector<State> state_;                       // of each connection, states x states
+  std::map<int, std::vector<LayerPair>> stacked_;  // of each state looked at
+  std::vector<Node> nodes_;
+  std::set<std::tuple<int, int, std::string>> seen_;
+  std::priority_queue<Arc> open_;
+  std::set<Passage> left_;      // refuted
   std::map<Edge, Link> links_;  // those that hold, both ways
   std::size_t round_ = 0;       // of kPatience
   MdFrogResult result_;

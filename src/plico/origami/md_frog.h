@@ -44,12 +44,14 @@ struct MdFrogResult {
   double worst_residual = 0;  // of all waypoints, radians
 };
 
-// A lazy roadmap over the discrete states: the shortest way (by the square of the distance, so that what can be folded
-// in small steps is) is looked at state by state; connections that fail are removed and the next shortest is tried. A
-// connection is linear if all configurations between two states close and are free of collision, else nonlinear, by
-// FROG. A further path must pass through other states and must not blend into an earlier one through foldable
-// configurations without collision (evidence, not proof, of another homotopy class). Deterministic for a seed.
-// Throws InvalidInput when the goal or an intermediate state does not close.
+// A lazy roadmap over the discrete states, searched from flat to the goal for a short way (by the square of the
+// distance, so that what can be folded in small steps is). Connections are tried when the search gets to them. One is
+// linear if all configurations between two states close and are free of collision, else nonlinear, by FROG. Panels that
+// come to lie on each other in a state have an order, which the way there decides: the search is over states and their
+// orders of layers (layers.h), and no connection leads panels apart on another side than the one that they came from.
+// A further path must pass through other states and must not blend into an earlier one through foldable configurations
+// without collision (evidence, not proof, of another homotopy class). Deterministic for a seed. Throws InvalidInput
+// when the goal or an intermediate state does not close.
 MdFrogResult md_frog(const CreasePattern& sheet, const MdFrogOptions& options = {}, const Run& run = {});
 
 }  // namespace plico

@@ -66,16 +66,12 @@ void SheetMotion::measure_closing(int waypoint, const std::vector<Pose>& poses) 
   }
 }
 
-double SheetMotion::turn_between(int panel, int waypoint) const {
-  return angle_of(stands_[waypoint][panel].turn.conjugate() * stands_[waypoint + 1][panel].turn);
-}
-
 void SheetMotion::bound_gaps() {
-  std::vector<double> bend(linkage_.panels.size());  // theta^2 / 8
   for (int w = 0; w + 1 < static_cast<int>(stands_.size()); ++w) {
+    std::vector<double>& bend = arcs_.emplace_back();
     for (int p = 0; p < linkage_.num_panels(); ++p) {
-      const double turn = turn_between(p, w);
-      bend[p] = turn * turn / 8;
+      const double turn = angle_of(stands_[w][p].turn.conjugate() * stands_[w + 1][p].turn);
+      bend.push_back(turn * turn / 8);
     }
     gaps_.push_back(0);
     for (int h = 0; h < linkage_.num_hinges(); ++h) {
@@ -137,32 +133,31 @@ void SheetMotion::look_at(double start, double end, const std::vector<Pose>& /*a
   last_inside_ = at_end_.share > 0 ? at_end_.before : at_end_.before - 1;
 }
 
-// How far the panel's points at a waypoint inside the interval are from the chords of the interval.
-double SheetMotion::stray_at(int panel, int waypoint) const {
-  const double share = (path_.waypoints[waypoint].time - start_) / (end_ - start_);
-  const Stand a = stand(panel, at_start_), b = stand(panel, at_end_), &here = stands_[waypoint][panel];
-  const Eigen::Matrix3d chord = (1 - share) * a.turn.toRotationMatrix() + share * b.turn.toRotationMatrix();
-  return ((1 - share) * a.center + share * b.center - here.center).norm() +
-         radius_[panel] * (chord - here.turn.toRotationMatrix()).norm();
+// How far the panel's points at the waypoints inside the interval are from the chords of the interval.
+double SheetMotion::stray(int panel) const {
+  const Stand a = stand(panel, at_start_), b = stand(panel, at_end_);
+  const Eigen::Matrix3d from = a.turn.toRotationMatrix(), to = b.turn.toRotationMatrix();
+  double worst = 0;
+  for (int w = first_inside_; w <= last_inside_; ++w) {
+    const double share = (path_.waypoints[w].time - start_) / (end_ - start_);
+    const Stand& here = stands_[w][panel];
+    const Eigen::Matrix3d off = (1 - share) * from + share * to - here.turn.toRotationMatrix();
+    worst =
+        std::max(worst, ((1 - share) * a.center + share * b.center - here.center).norm() + radius_[panel] * off.norm());
+  }
+  return worst;
 }
 
-// Between waypoints points are within r theta^2 / 8 of a polyline, and that within stray_at() of the chord.
+// Between waypoints points are within r theta^2 / 8 of a polyline, and that within stray() of the chord.
 double SheetMotion::bend(int panel, int /*frame*/) const {
-  const auto arc = [&](int waypoint, double share) {
-    const double turn = share * turn_between(panel, waypoint);
-    return radius_[panel] * turn * turn / 8;
-  };
+  const auto arc = [&](int waypoint, double share) { return radius_[panel] * share * share * arcs_[waypoint][panel]; };
   if (first_inside_ > last_inside_) {
     const bool ends_later = at_end_.before > at_start_.before;  // at the very waypoint
     return arc(at_start_.before, (ends_later ? 1 : at_end_.share) - at_start_.share);
   }
   double arcs = std::max(arc(at_start_.before, 1 - at_start_.share), arc(at_end_.before, at_end_.share));
-  double stray = 0;
-  for (int w = first_inside_; w <= last_inside_; ++w) {
-    if (w < last_inside_) arcs = std::max(arcs, arc(w, 1));
-    stray = std::max(stray, stray_at(panel, w));
-  }
-  return arcs + stray;
+  for (int w = first_inside_; w < last_inside_; ++w) arcs = std::max(arcs, arc(w, 1));
+  return arcs + stray(panel);
 }
 
 double SheetMotion::split(double start, double end) const {

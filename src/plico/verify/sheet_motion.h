@@ -57,8 +57,7 @@ class SheetMotion : public PanelMotion {
 
   Moment moment(double time) const;
   Stand stand(int panel, const Moment& moment) const;
-  double turn_between(int panel, int waypoint) const;  // to the next one, radians
-  double stray_at(int panel, int waypoint) const;
+  double stray(int panel) const;
   void measure_closing(int waypoint, const std::vector<Pose>& poses);
   void bound_gaps();
 
@@ -67,6 +66,7 @@ class SheetMotion : public PanelMotion {
   std::vector<Vec3> center_;    // flat state, by panel
   std::vector<double> radius_;  // of the panel around it
   std::vector<std::vector<Stand>> stands_;
+  std::vector<std::vector<double>> arcs_;  // theta^2 / 8 of each panel from a waypoint to the next
   std::vector<double> gaps_;
   LoopReport loops_;
   double rounding_ = 0;

@@ -157,12 +157,7 @@ class OrigamiPlanning {
     options.frog.collision.clearance = options_.clearance;
     options.alternatives = options_.alternatives;
     if (limits_.size() > 0) options.discrete.max_fold_angle = std::max(1e-9, limits_.minCoeff());
-    options.refute = [&](const FoldingPath& path) -> std::optional<double> {
-      const FoldingPath fine = refine_path(sheet_, path, kGapShare * clearance_, run_);
-      const PathProof proof = prove_path(linkage_, fine, {.clearance = options_.clearance}, run_);
-      if (proof.verdict == PathVerdict::Free) return {};
-      return (proof.from + proof.to) / 2;
-    };
+    options.refute = [&](const FoldingPath& path) { return refute(path); };
     const MdFrogResult found = md_frog(sheet_, options, run_);
     if (found.paths.empty()) {
       if (outcome_.motions.empty()) outcome_.ending = found.ending;
@@ -177,6 +172,14 @@ class OrigamiPlanning {
     for (const MdFrogPath& path : found.paths) prove(path.path, MotionMethod::MdFrog);
     outcome_.notes.push_back(told(found.paths.front()));
     return outcome_.proven();
+  }
+
+  // The time at which the proof stops.
+  std::optional<double> refute(const FoldingPath& path) const {
+    const FoldingPath fine = refine_path(sheet_, path, kGapShare * clearance_, run_);
+    const PathProof proof = prove_path(linkage_, fine, {.clearance = options_.clearance}, run_);
+    if (proof.verdict == PathVerdict::Free) return {};
+    return (proof.from + proof.to) / 2;
   }
 
   // The creases that turn between one state and the next.
