@@ -18,7 +18,9 @@ namespace plico::cli {
 namespace {
 
 struct FoldArgs {
-  std::string net, planner = "auto";
+  std::string net, planner = "auto", reuse;
+  std::vector<std::string> through;
+  bool grouped = false;
   int alternatives = 1, waypoints = 50;
   double clearance = 0, max_fold_angle = std::numeric_limits<double>::quiet_NaN();
 };
@@ -60,11 +62,37 @@ void refuse_goal_beyond(const Linkage& linkage, const Configuration& limits) {
                       linkage.hinges[h].right, degrees(std::abs(linkage.hinges[h].target)), degrees(limits[h])));
 }
 
+// The goal of another file of the same pattern.
+Configuration state_of(const std::string& path, const Linkage& linkage, Session& session) {
+  const Linkage other = make_linkage(read_fold(session.read(path), path).net.sheet);
+  if (other.num_hinges() != linkage.num_hinges())
+    throw InvalidInput(
+        "fold/through",
+        fmt::format("{} has {} creases, the pattern has {}", path, other.num_hinges(), linkage.num_hinges()), path,
+        "write the states from the pattern, with other fold angles");
+  return goal(other);
+}
+
+MotionOutcome reuse(const FoldFile& file, const MotionOptions& options, const Configuration& limits,
+                    const std::string& path, Session& session) {
+  const FoldFile small = read_fold(session.read(path), path);
+  if (!small.path)
+    throw InvalidInput("fold/no-motion", path + " has no motion", path,
+                       "plico fold " + path + " --grouped -o motion.fold");
+  return reuse_motion(small.net.sheet, *small.path, file.net.sheet, options, limits, session.run());
+}
+
 MotionOutcome plan(const FoldFile& file, const Linkage& linkage, const FoldArgs& args, Session& session) {
-  const MotionOptions options{session.seed(), motion_method(args.planner), args.alternatives, args.clearance,
-                              args.waypoints};
+  MotionOptions options{session.seed(), motion_method(args.planner), args.alternatives, args.clearance, args.waypoints,
+                        args.grouped};
   const Configuration limits = limits_of(file, linkage, args);
-  if (linkage.has_loops()) return plan_origami(file.net.sheet, options, limits, session.run());
+  if (linkage.has_loops()) {
+    for (const std::string& state : args.through) options.through.push_back(state_of(state, linkage, session));
+    if (!args.reuse.empty()) return reuse(file, options, limits, args.reuse, session);
+    return plan_origami(file.net.sheet, options, limits, session.run());
+  }
+  if (args.grouped || !args.reuse.empty() || !args.through.empty())
+    throw InvalidOption("--grouped, --reuse and --through are for crease patterns with loops; this sheet has none");
   refuse_goal_beyond(linkage, limits);
   return plan_motion(linkage, options, session.run());
 }
@@ -82,7 +110,7 @@ void write_motions(Session& session, FoldFile& file, const Linkage& linkage, con
     nlohmann::json provenance = session.provenance();
     provenance["motion"] = motion_json(outcome.motions[i].proof);
     if (linkage.has_loops()) provenance["motion"]["progress"] = outcome.progress;
-    provenance["motion"]["planner"] = motion_methods()[static_cast<int>(outcome.motions[i].method)];
+    provenance["motion"]["planner"] = name(outcome.motions[i].method);
     file.report = provenance.dump();
     set_path(file, linkage, outcome.motions[i].path);
     const std::string bytes = write_fold(file);
@@ -101,7 +129,7 @@ int fold_file(const FoldArgs& args, Session& session) {
   for (const Motion& motion : outcome.motions) {
     motions.push_back(motion_json(motion.proof));
     motions.back()["waypoints"] = motion.path.waypoints.size();
-    motions.back()["planner"] = motion_methods()[static_cast<int>(motion.method)];
+    motions.back()["planner"] = name(motion.method);
     session.say(fmt::format("{} motion: {}", motions.back()["planner"].get<std::string>(), motion_line(motion.proof)));
     if (linkage.has_loops())
       session.say(fmt::format("{} waypoints, {}", motion.path.waypoints.size(), loops_line(motion.proof.loops)));
@@ -133,10 +161,16 @@ Command fold_command() {
                "three motions that do not blend into each other")
       .example("plico fold miura.fold --max-fold-angle 150deg -o motion.fold",
                "a crease pattern with loops, as far as the material folds")
+      .example("plico fold small.fold --grouped -o few.fold && plico fold large.fold --reuse few.fold -o many.fold",
+               "plan a small piece of a tessellation, fold a large one")
       .positional("net", "FOLD file with a net or a crease pattern; - for standard input", args->net)
       .choice("--planner", "auto tries linear, then uniform, then lazy-prm; with loops continuation, then md-frog",
               args->planner, motion_methods())
       .option("--alternatives", "N", "motions wanted; written beside the first as NAME-2.fold, ...", args->alternatives)
+      .flag("--grouped", "with loops: creases that are alike by symmetry turn together", args->grouped)
+      .option("--reuse", "FILE", "with loops: the motion of a smaller piece of the same tessellation, carried over",
+              args->reuse)
+      .option("--through", "FILE", "with loops: a state to pass, the goal of FILE; may be repeated", args->through)
       .option("--clearance", "LENGTH", "how far panels are shrunk, in the file's unit; 0: 1/1000 of the mean side",
               args->clearance)
       .option("--waypoints", "N",

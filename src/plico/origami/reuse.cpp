@@ -24,7 +24,7 @@ std::vector<int> models(const CreaseGroups& small, const std::vector<int>& small
     if (model[g] < 0)
       throw InvalidInput("origami/no-model", "the small pattern has no crease like this one",
                          fmt::format("crease {} of the large pattern", h),
-                         "use a small pattern with every type of vertex of the large one");
+                         "use a small pattern with every type of vertex of the large one, and the same goals");
   }
   return model;
 }

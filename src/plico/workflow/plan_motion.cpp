@@ -10,8 +10,9 @@
 namespace plico {
 namespace {
 
-constexpr std::array<std::string_view, 9> kMethods = {"auto", "linear",       "uniform", "lazy-prm", "rrt-connect",
-                                                      "prm",  "continuation", "frog",    "md-frog"};
+constexpr std::array<std::string_view, 10> kMethods = {"auto", "linear",       "uniform", "lazy-prm", "rrt-connect",
+                                                       "prm",  "continuation", "frog",    "md-frog",  "reuse"};
+constexpr int kPlanners = 9;  // of them
 constexpr int kTriesPerAlternative = 20;
 
 Planner planner_of(MotionMethod method) {
@@ -85,11 +86,11 @@ class Planning {
 
 }  // namespace
 
-std::vector<std::string> motion_methods() { return {kMethods.begin(), kMethods.end()}; }
+std::vector<std::string> motion_methods() { return {kMethods.begin(), kMethods.begin() + kPlanners}; }
 
 MotionMethod motion_method(std::string_view name) {
-  const auto at = std::find(kMethods.begin(), kMethods.end(), name);
-  if (at == kMethods.end()) throw InvalidOption(fmt::format("there is no planner '{}'", name));
+  const auto end = kMethods.begin() + kPlanners, at = std::find(kMethods.begin(), end, name);
+  if (at == end) throw InvalidOption(fmt::format("there is no planner '{}'", name));
   return static_cast<MotionMethod>(at - kMethods.begin());
 }
 

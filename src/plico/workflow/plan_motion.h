@@ -12,8 +12,9 @@
 namespace plico {
 
 // Continuation, Frog and MdFrog are for sheets with loops (workflow/plan_origami.h), the other planners for trees.
-enum class MotionMethod { Auto, Linear, Uniform, LazyPrm, RrtConnect, Prm, Continuation, Frog, MdFrog };
-std::vector<std::string> motion_methods();          // "auto", "linear", ..., in the order above
+// Reuse is no planner: the motion of a smaller sheet was carried over.
+enum class MotionMethod { Auto, Linear, Uniform, LazyPrm, RrtConnect, Prm, Continuation, Frog, MdFrog, Reuse };
+std::vector<std::string> motion_methods();          // "auto", "linear", ...: the planners, in the order above
 MotionMethod motion_method(std::string_view name);  // throws InvalidOption
 std::string_view name(MotionMethod method);
 bool is_for_loops(MotionMethod method);
@@ -23,7 +24,10 @@ struct MotionOptions {
   MotionMethod method = MotionMethod::Auto;  // Auto: linear, else uniform, else lazy-prm
   int alternatives = 1;                      // motions wanted, none of which blends straight into another; at least 1
   double clearance = 0;                      // units; 0: 1e-3 of the mean side length
-  int waypoints = 50;                        // with loops: aimed at before those that the gap asks for; at least 1
+  // With loops:
+  int waypoints = 50;                       // aimed at before those that the gap asks for; at least 1
+  bool grouped = false;                     // creases of one group turn together (origami/crease_groups.h)
+  std::vector<Configuration> through = {};  // states to be passed in this order, by MD-FROG; each must close
 };
 
 struct Motion {

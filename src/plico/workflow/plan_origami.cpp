@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "plico/base/error.h"
 #include "plico/origami/continuation.h"
+#include "plico/origami/crease_groups.h"
 #include "plico/origami/md_frog.h"
+#include "plico/origami/reuse.h"
 
 namespace plico {
 namespace {
@@ -77,6 +80,7 @@ class OrigamiPlanning {
 
   MotionOutcome plan() {
     close_goal();
+    if (options_.grouped) groups_ = crease_groups(sheet_);
     switch (options_.method) {
       case MotionMethod::Frog:
         walk_randomly();
@@ -85,13 +89,30 @@ class OrigamiPlanning {
         search_states();
         break;
       default:
-        continue_straight(options_.method == MotionMethod::Auto);
+        if (options_.through.empty())
+          continue_straight(options_.method == MotionMethod::Auto);
+        else
+          search_states();
     }
+    return finish();
+  }
+
+  MotionOutcome carry(const CreasePattern& small, const FoldingPath& path) {
+    const FoldingPath carried = reuse_path(small, path, sheet_);
+    const double rest = (carried.waypoints.back().config - goal(linkage_)).lpNorm<Eigen::Infinity>();
+    outcome_.ending = rest <= kMostGoalMove ? Ending::Found : Ending::Exhausted;
+    if (rest > kMostGoalMove)
+      outcome_.notes.push_back(fmt::format("the motion given ends {:.3g} degrees short of the goal", degrees(rest)));
+    prove(carried, MotionMethod::Reuse);
+    return finish();
+  }
+
+ private:
+  MotionOutcome finish() {
     if (run_.over() && !outcome_.proven()) outcome_.ending = run_.ending();
     return std::move(outcome_);
   }
 
- private:
   // What is blocked on the straight way may be folded in another order: one crease after the other.
   void continue_straight(bool may_go_round) {
     const bool within = goal_within_limits();
@@ -102,7 +123,8 @@ class OrigamiPlanning {
       continuation.projection.low = -limits_;
       continuation.projection.high = limits_;
     }
-    const ContinuationResult found = continue_to_goal(sheet_, continuation, run_);
+    const ContinuationResult found =
+        groups_ ? continue_in_groups(continuation) : continue_to_goal(sheet_, continuation, run_);
     outcome_.ending = found.ending;
     outcome_.progress = found.progress;
     if (const std::string note = obstacle_note(sheet_, found); !note.empty()) outcome_.notes.push_back(note);
@@ -116,6 +138,22 @@ class OrigamiPlanning {
                                              linkage_.num_hinges()));
     }
     if (found.ending != Ending::Found && found.path.waypoints.size() > 1) prove(found.path, MotionMethod::Continuation);
+  }
+
+  // Waypoints that are inserted later close every loop, but groups need not move alike there. So here, where they do,
+  // frames come close enough.
+  ContinuationResult continue_in_groups(ContinuationOptions& continuation) {
+    continuation.groups = groups_->group;
+    continuation.essential = groups_->essential;
+    outcome_.notes.push_back(fmt::format("planned with {} crease groups and {} of {} vertices", groups_->num_moving,
+                                         groups_->essential.size(), groups_->type.size()));
+    ContinuationResult found = continue_to_goal(sheet_, continuation, run_);
+    if (found.path.waypoints.size() < 2) return found;
+    const double gap = SheetMotion(linkage_, found.path).loops().gap;
+    const double finer = std::ceil(1.1 * std::sqrt(gap / (kGapShare * clearance_)));
+    if (finer <= 1) return found;
+    continuation.frames = static_cast<int>(std::min(1e6, finer * continuation.frames));
+    return continue_to_goal(sheet_, continuation, run_);
   }
 
   // Then no way leads there.
@@ -156,6 +194,8 @@ class OrigamiPlanning {
     options.frog.seed = options_.seed;
     options.frog.collision.clearance = options_.clearance;
     options.alternatives = options_.alternatives;
+    options.intermediate = options_.through;
+    if (groups_) options.discrete.groups = groups_->group;
     if (limits_.size() > 0) options.discrete.max_fold_angle = std::max(1e-9, limits_.minCoeff());
     options.refute = [&](const FoldingPath& path) { return refute(path); };
     const MdFrogResult found = md_frog(sheet_, options, run_);
@@ -265,6 +305,7 @@ class OrigamiPlanning {
   const Configuration& limits_;
   const Run& run_;
   Linkage linkage_;
+  std::optional<CreaseGroups> groups_;
   double clearance_ = 0;
   MotionOutcome outcome_;
 };
@@ -311,10 +352,20 @@ FoldingPath refine_path(const CreasePattern& sheet, const FoldingPath& path, dou
 
 MotionOutcome plan_origami(const CreasePattern& sheet, const MotionOptions& options, const Configuration& limits,
                            const Run& run) {
-  if (options.method != MotionMethod::Auto && !is_for_loops(options.method))
+  const MotionMethod method = options.method;
+  if (method != MotionMethod::Auto && !is_for_loops(method))
     throw InvalidOption(
-        fmt::format("{} is for sheets without loops; try auto, continuation, frog or md-frog", name(options.method)));
+        fmt::format("{} is for sheets without loops; try auto, continuation, frog or md-frog", name(method)));
+  if (!options.through.empty() && method != MotionMethod::Auto && method != MotionMethod::MdFrog)
+    throw InvalidOption(fmt::format("{} does not pass given states; md-frog does", name(method)));
+  if (options.grouped && method == MotionMethod::Frog)
+    throw InvalidOption("frog moves every crease by itself; continuation and md-frog plan in groups");
   return OrigamiPlanning(sheet, options, limits, run).plan();
+}
+
+MotionOutcome reuse_motion(const CreasePattern& small, const FoldingPath& path, const CreasePattern& large,
+                           const MotionOptions& options, const Configuration& limits, const Run& run) {
+  return OrigamiPlanning(large, options, limits, run).carry(small, path);
 }
 
 }  // namespace plico

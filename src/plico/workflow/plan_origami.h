@@ -15,9 +15,17 @@ namespace plico {
 //     say why: "not rigid: ...", "left the branch ...", "collides ...", "limited ...".
 //   - When the straight way is blocked and the sheet has at most 64 creases, Auto looks for another one with MD-FROG
 //     (origami/md_frog.h), which the proof judges path by path. Frog and MdFrog are the dissertation's planners alone.
-// Deterministic. Throws InvalidOption for a method that is for trees, InvalidInput when sizes differ.
+//   - `options.grouped` plans with one unknown a crease group and the loops of essential vertices; the path is proven
+//     with all of them. `options.through` are states to pass, which only MD-FROG does.
+// Deterministic. Throws InvalidOption for a method that is for trees or does not do what the options ask for,
+// InvalidInput when sizes differ or a state to pass does not close.
 MotionOutcome plan_origami(const CreasePattern& sheet, const MotionOptions& options = {},
                            const Configuration& limits = {}, const Run& run = {});
+
+// The motion of a small sheet carried to a large one that continues its pattern (origami/reuse.h), refined and proven
+// at full size. Of the options the clearance and the seed count. Throws InvalidInput as reuse_path does.
+MotionOutcome reuse_motion(const CreasePattern& small, const FoldingPath& path, const CreasePattern& large,
+                           const MotionOptions& options = {}, const Configuration& limits = {}, const Run& run = {});
 
 inline constexpr double kMostGoalMove = radians(0.5);
 

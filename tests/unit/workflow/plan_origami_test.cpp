@@ -110,6 +110,40 @@ TEST(PlanOrigami, AGoalThatCollidesIsNotSearchedFor) {
   }
 }
 
+TEST(PlanOrigami, AMotionPlannedInGroupsFoldsALargerTessellation) {
+  const auto sheet = [](int columns, int rows) {
+    return waterbomb({.columns = columns, .rows = rows, .diagonal_angle = radians(40)});
+  };
+  const MotionOutcome few = plan_origami(sheet(4, 6), {.grouped = true});
+  ASSERT_TRUE(few.proven());
+  EXPECT_EQ(few.notes.front(), "planned with 4 crease groups and 3 of 15 vertices");
+  const MotionOutcome many = reuse_motion(sheet(4, 6), few.motions.front().path, sheet(8, 10));
+  EXPECT_EQ(many.ending, Ending::Found);
+  ASSERT_TRUE(many.proven());
+  EXPECT_EQ(many.motions.front().method, MotionMethod::Reuse);
+  const Configuration end = many.motions.front().path.waypoints.back().config;
+  EXPECT_LT((end - goal(make_linkage(sheet(8, 10)))).lpNorm<Eigen::Infinity>(), 1e-9);
+  // Half of the way is no way to the goal.
+  FoldingPath half = few.motions.front().path;
+  half.waypoints.resize(half.waypoints.size() / 2);
+  for (Waypoint& w : half.waypoints) w.time /= half.waypoints.back().time;
+  const MotionOutcome cut = reuse_motion(sheet(4, 6), half, sheet(8, 10));
+  EXPECT_EQ(cut.ending, Ending::Exhausted);
+  EXPECT_THAT(cut.notes.front(), MatchesRegex("the motion given ends .* degrees short of the goal"));
+}
+
+TEST(PlanOrigami, PassesTheStatesAskedFor) {
+  Configuration first = Configuration::Zero(7);
+  first.head<2>().setConstant(kPi);
+  const MotionOutcome outcome = plan_origami(letter(), {.through = {first}});
+  ASSERT_TRUE(outcome.proven());
+  const std::vector<Waypoint>& waypoints = outcome.motions.front().path.waypoints;
+  EXPECT_TRUE(std::any_of(waypoints.begin(), waypoints.end(),
+                          [&](const Waypoint& w) { return (w.config - first).lpNorm<Eigen::Infinity>() < 1e-9; }));
+  EXPECT_THROW(plan_origami(letter(), {.method = MotionMethod::Frog, .through = {first}}), InvalidOption);
+  EXPECT_THROW(plan_origami(letter(), {.method = MotionMethod::Frog, .grouped = true}), InvalidOption);
+}
+
 TEST(PlanOrigami, RoundedGoalsAreMovedToTheNearestThatCloses) {
   CreasePattern sheet = miura({.zigzag_angle = radians(100)});
   for (Crease& crease : sheet.edges) crease.fold_angle = radians(std::round(10 * degrees(crease.fold_angle)) / 10);
