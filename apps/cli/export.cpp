@@ -10,6 +10,7 @@
 #include "commands.h"
 #include "motion_report.h"
 #include "plico/base/error.h"
+#include "plico/io/angle_plot.h"
 #include "plico/io/cp.h"
 #include "plico/io/csv.h"
 #include "plico/io/file.h"
@@ -135,6 +136,7 @@ std::string page(const Motion& motion, Session& session) {
 
 std::string bytes_for(const std::string& path, const Motion& motion, const ExportArgs& args, Session& session) {
   const std::string kind = extension(path);
+  if (path.ends_with(".angles.svg")) return write_angle_plot(motion.path, {.title = motion.title});
   if (kind == "glb") return write_glb(motion.linkage, motion.path, {.seconds = args.seconds});
   if (kind == "urdf") return robot_file(write_urdf(motion.linkage, motion.path, robot_options(motion, args)), session);
   if (kind == "xml" || kind == "mjcf")
@@ -145,8 +147,10 @@ std::string bytes_for(const std::string& path, const Motion& motion, const Expor
   if (kind == "svg") return write_svg_pattern(motion.file.net.sheet);
   if (kind == "cp") return write_cp(motion.file.net.sheet);
   if (kind == "fold") return write_fold(motion.file);
-  throw InvalidOption(fmt::format(
-      "cannot tell what to write from '{}'; the extensions are glb, urdf, xml, csv, png, html, fold, svg, cp", path));
+  throw InvalidOption(
+      fmt::format("cannot tell what to write from '{}'; the extensions are glb, urdf, xml, csv, png, html, fold, svg, "
+                  "cp, angles.svg",
+                  path));
 }
 
 int export_file(const ExportArgs& args, Session& session) {
@@ -178,6 +182,7 @@ Command export_command() {
       .example("plico export bird.fold -o bird.urdf -o bird.xml -o bird.csv", "ROS, MuJoCo, and the angles as a table")
       .example("plico export crane.cp -o crane.fold -o crane.svg",
                "a crease pattern as FOLD, and for Origami Simulator")
+      .example("plico export motion.fold -o motion.angles.svg", "fold angles against time, as a figure")
       .positional("file", "net, crease pattern or motion: FOLD, .cp, .opx or SVG in Origami Simulator's colours",
                   args->file)
       .option("--title", "TEXT", "name shown on the page and given to the robot; the file's name by default",
