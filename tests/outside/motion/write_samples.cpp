@@ -1,6 +1,6 @@
 // usage: write_samples FOLDER
-// Ten linkages of every kind and ten nets with proven motions, each as page, animation and robot models, with where the
-// library says their panels are; nets also as FOLD files.
+// Twelve linkages of every kind and ten nets with proven motions, each as page, animation and robot models, with where
+// the library says their panels are; nets also as FOLD files.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -14,7 +14,9 @@
 #include "plico/io/urdf.h"
 #include "plico/io/viewer.h"
 #include "plico/mesh/named_shapes.h"
+#include "plico/origami/patterns.h"
 #include "plico/workflow/foldable_net.h"
+#include "plico/workflow/plan_origami.h"
 
 namespace plico {
 namespace {
@@ -68,6 +70,13 @@ Sample net(const std::string& shape, int faces) {
   return {"net-" + shape, linkage_of(flat), found.path, write_fold(file)};
 }
 
+// A sheet with loops, with a motion that is proven free of collision.
+Sample planned(const std::string& name, const CreasePattern& sheet) {
+  const MotionOutcome found = plan_origami(sheet);
+  PLICO_ASSERT(found.proven());
+  return {name, make_linkage(sheet), found.motions.front().path, ""};
+}
+
 std::vector<Sample> samples() {
   Rng rng(7);
   std::vector<Sample> list;
@@ -83,6 +92,8 @@ std::vector<Sample> samples() {
   Sample back_and_forth = linear("planned", square_strip({0.5, 0.5}));
   back_and_forth.path = path_through({{0, {0, 0}}, {0.4, {1, 0}}, {0.7, {1, 0.5}}, {1, {0.5, 0.5}}});
   list.push_back(back_and_forth);
+  list.push_back(planned("miura", miura({.columns = 4, .rows = 3, .zigzag_angle = radians(110)})));
+  list.push_back(planned("waterbomb", waterbomb({.columns = 6, .rows = 4, .diagonal_angle = radians(40)})));
   for (const char* animal : {"bird", "dog", "fish", "dinosaur"}) list.push_back(net(animal, 100));
   for (const char* solid : {"octahedron", "dodecahedron", "icosahedron", "truncated-icosahedron"})
     list.push_back(net(solid, 0));
