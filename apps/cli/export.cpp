@@ -17,12 +17,13 @@
 #include "plico/io/fold.h"
 #include "plico/io/gltf.h"
 #include "plico/io/mjcf.h"
-#include "plico/io/pattern_file.h"
+#include "plico/io/ori.h"
 #include "plico/io/png.h"
 #include "plico/io/svg_pattern.h"
 #include "plico/io/urdf.h"
 #include "plico/io/viewer.h"
 #include "plico/verify/path.h"
+#include "read_sheet.h"
 #include "session.h"
 
 namespace plico::cli {
@@ -31,7 +32,7 @@ namespace {
 constexpr double kProofSeconds = 20;  // for the page's verdict
 
 struct ExportArgs {
-  std::string file, title;
+  std::string file, trajectory, title;
   double at = 1, seconds = 4, grams_per_square_metre = 160, sheet_thickness_mm = 0.2;
   double azimuth = radians(-35), elevation = radians(28);
   int width = 1200, height = 900;
@@ -51,11 +52,13 @@ std::string name_of(const std::string& path) {
 }
 
 Motion read_motion(const ExportArgs& args, Session& session) {
-  PatternFile pattern = read_pattern(session.read(args.file), args.file);
-  for (const std::string& note : pattern.notes) session.say(note);
-  if (!pattern.notes.empty()) session.report()["notes"] = pattern.notes;
-  Motion motion{std::move(pattern.file), {}, {}, args.title};
+  Motion motion{read_sheet(args.file, session), {}, {}, args.title};
   motion.linkage = make_linkage(motion.file.net.sheet, motion.file.net.mate);
+  if (!args.trajectory.empty()) {
+    if (args.file == "-") throw InvalidOption("--trajectory needs the sheet in a file of its own, not standard input");
+    const std::string sheet = session.read(args.file), trajectory = session.read(args.trajectory);
+    set_path(motion.file, motion.linkage, read_trj(trajectory, read_ori(sheet, args.file), args.trajectory));
+  }
   motion.path = motion.file.path ? *motion.file.path : linear_path(motion.linkage);
   if (motion.title.empty()) motion.title = name_of(args.file);
   return motion;
@@ -182,9 +185,14 @@ Command export_command() {
       .example("plico export bird.fold -o bird.urdf -o bird.xml -o bird.csv", "ROS, MuJoCo, and the angles as a table")
       .example("plico export crane.cp -o crane.fold -o crane.svg",
                "a crease pattern as FOLD, and for Origami Simulator")
+      .example("plico export miura.ori.json --trajectory miura.trj.json -o miura.fold",
+               "a motion of the dissertation's author, to be verified")
       .example("plico export motion.fold -o motion.angles.svg", "fold angles against time, as a figure")
-      .positional("file", "net, crease pattern or motion: FOLD, .cp, .opx or SVG in Origami Simulator's colours",
-                  args->file)
+      .positional(
+          "file",
+          "net, crease pattern or motion: FOLD, .cp, .opx, .ori, .ori.json or SVG in Origami Simulator's colours",
+          args->file)
+      .option("--trajectory", "FILE", "the motion of an .ori or .ori.json file: .trj or .trj.json", args->trajectory)
       .option("--title", "TEXT", "name shown on the page and given to the robot; the file's name by default",
               args->title)
       .option("--at", "TIME", "moment of a picture: 0 flat, 1 folded", args->at)

@@ -12,6 +12,7 @@
 #include "plico/base/error.h"
 #include "plico/io/fold.h"
 #include "plico/workflow/plan_origami.h"
+#include "read_sheet.h"
 #include "session.h"
 
 namespace plico::cli {
@@ -64,7 +65,7 @@ void refuse_goal_beyond(const Linkage& linkage, const Configuration& limits) {
 
 // The goal of another file of the same pattern.
 Configuration state_of(const std::string& path, const Linkage& linkage, Session& session) {
-  const Linkage other = make_linkage(read_fold(session.read(path), path).net.sheet);
+  const Linkage other = make_linkage(read_sheet(path, session).net.sheet);
   if (other.num_hinges() != linkage.num_hinges())
     throw InvalidInput(
         "fold/through",
@@ -75,7 +76,7 @@ Configuration state_of(const std::string& path, const Linkage& linkage, Session&
 
 MotionOutcome reuse(const FoldFile& file, const MotionOptions& options, const Configuration& limits,
                     const std::string& path, Session& session) {
-  const FoldFile small = read_fold(session.read(path), path);
+  const FoldFile small = read_sheet(path, session);
   if (!small.path)
     throw InvalidInput("fold/no-motion", path + " has no motion", path,
                        "plico fold " + path + " --grouped -o motion.fold");
@@ -122,7 +123,7 @@ void write_motions(Session& session, FoldFile& file, const Linkage& linkage, con
 int fold_file(const FoldArgs& args, Session& session) {
   motion_method(args.planner);
   const std::vector<std::string> outputs = session.outputs("-");
-  FoldFile file = read_fold(session.read(args.net), args.net);
+  FoldFile file = read_sheet(args.net, session);
   const Linkage linkage = make_linkage(file.net.sheet, file.net.mate);
   const MotionOutcome outcome = plan(file, linkage, args, session);
   nlohmann::json motions = nlohmann::json::array();
@@ -139,7 +140,7 @@ int fold_file(const FoldArgs& args, Session& session) {
     if (outcome.progress < 1)
       session.say(fmt::format("reached {:.4g} % of the way to the goal", 100 * outcome.progress));
     session.report()["progress"] = outcome.progress;
-    session.report()["notes"] = outcome.notes;
+    for (const std::string& note : outcome.notes) session.report()["notes"].push_back(note);
   }
   session.report()["panels"] = linkage.num_panels();
   session.report()["hinges"] = linkage.num_hinges();
@@ -163,7 +164,7 @@ Command fold_command() {
                "a crease pattern with loops, as far as the material folds")
       .example("plico fold small.fold --grouped -o few.fold && plico fold large.fold --reuse few.fold -o many.fold",
                "plan a small piece of a tessellation, fold a large one")
-      .positional("net", "FOLD file with a net or a crease pattern; - for standard input", args->net)
+      .positional("net", "net or crease pattern: FOLD, .cp, .opx, .ori or SVG; - for standard input", args->net)
       .choice("--planner", "auto tries linear, then uniform, then lazy-prm; with loops continuation, then md-frog",
               args->planner, motion_methods())
       .option("--alternatives", "N", "motions wanted; written beside the first as NAME-2.fold, ...", args->alternatives)

@@ -11,9 +11,9 @@
 
 #include "commands.h"
 #include "plico/base/error.h"
-#include "plico/io/pattern_file.h"
 #include "plico/origami/named_patterns.h"
 #include "plico/origami/pattern_check.h"
+#include "read_sheet.h"
 #include "session.h"
 #include "suggest.h"
 
@@ -252,10 +252,7 @@ std::string verdict(const PatternReport& report) {
 }
 
 int tell_facts(const InfoArgs& args, Session& session) {
-  const PatternFile pattern = read_pattern(session.read(args.file), args.file);
-  for (const std::string& note : pattern.notes) session.say(note);
-  if (!pattern.notes.empty()) session.report()["notes"] = pattern.notes;
-  const FoldFile& file = pattern.file;
+  const FoldFile file = read_sheet(args.file, session);
   const CreasePattern& sheet = file.net.sheet;
   const PatternReport checks = check_pattern(sheet, args.check);
   session.report()["vertices"] = sheet.num_vertices();
@@ -304,7 +301,7 @@ Command origami_info_command() {
       .example("plico origami info miura.fold", "counts, size, whether the goal closes, every problem with its place")
       .example("plico origami info miura.fold -v", "also the sector angles around every real vertex")
       .example("plico origami info miura.fold --json", "the same for programs")
-      .positional("PATTERN", "FOLD, .cp, .opx or SVG file; - is standard input", args->file)
+      .positional("PATTERN", "FOLD, .cp, .opx, .ori or SVG file; - is standard input", args->file)
       .flag("--strict", "warnings count as errors", args->strict)
       .angle("--tolerance", "how far sectors and the goal's loops may be off", args->check.angle)
       .action([args](Session& session) { return tell_facts(*args, session); });

@@ -19,6 +19,7 @@
 #include "plico/io/svg.h"
 #include "plico/verify/sheet.h"
 #include "print_options.h"
+#include "read_sheet.h"
 #include "session.h"
 
 namespace plico::cli {
@@ -81,7 +82,7 @@ int print(const NetArgs& args, Session& session) {
   const std::string name = stem(args.net);
   const std::vector<std::string> outputs = session.outputs(name + ".pdf");
   for (const std::string& path : outputs) require_kind(path);
-  FoldFile file = read_fold(session.read(args.net), args.net);
+  FoldFile file = read_sheet(args.net, session);
   options.size.fill_page = file.unit == "unit";  // a file in millimetres says how large it is
   const SheetResult result = make_sheet(file.net, shape_of(file), options, session.run());
   const SheetVerdict verdict = verify_sheet(result.sheet);
@@ -104,7 +105,7 @@ Command print_command() {
       .example("plico print bird.fold --page Letter -o bird.pdf -o bird.svg -o bird.dxf", "one layout in three formats")
       .example("plico print bird.fold --longest 40cm --split --marks start,seam",
                "a large model for a class: parts cut to fit, marks to build by")
-      .positional("net", "FOLD file of a net; '-' is standard input", args->net);
+      .positional("net", "net or crease pattern: FOLD, .cp, .opx, .ori or SVG; '-' is standard input", args->net);
   add_print_options(command, args->print);
   command.action([args](Session& session) { return print(*args, session); });
   return command;

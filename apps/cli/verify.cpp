@@ -11,6 +11,7 @@
 #include "plico/verify/net.h"
 #include "plico/verify/path.h"
 #include "plico/workflow/plan_motion.h"
+#include "read_sheet.h"
 #include "session.h"
 
 namespace plico::cli {
@@ -162,7 +163,7 @@ int verify_motion_file(const FoldFile& file, const VerifyArgs& args, Session& se
 
 int verify_file(const VerifyArgs& args, Session& session) {
   if (args.file == "-" && args.mesh == "-") throw InvalidOption("only one of the two files can be standard input");
-  const FoldFile file = read_fold(session.read(args.file), args.file);
+  const FoldFile file = read_sheet(args.file, session);
   switch (kind(file)) {
     case FoldKind::Net:
       return verify_net_file(file, args, session);
@@ -186,7 +187,7 @@ Command verify_command() {
       .example("plico verify bird.fold", "the same, against the folded form in the file")
       .example("plico unfold bird.obj -o - | plico verify - --json", "every figure, for a program")
       .example("plico verify motion.fold --angle-noise 6deg", "is this motion free of collision, and how robust is it?")
-      .positional("file", "FOLD file with a net, a crease pattern or a motion", args->file)
+      .positional("file", "net, crease pattern or motion: FOLD, .cp, .opx, .ori or SVG", args->file)
       .positional("mesh", "the mesh it was made from; without it, the folded form in the file", args->mesh, false)
       .option("--clearance", "LENGTH", "motions: how far panels are shrunk, file's unit; 0: 1/1000 of the mean side",
               args->clearance)

@@ -9,6 +9,7 @@
 #include "plico/fold/planar_faces.h"
 #include "plico/geom/polygon.h"
 #include "plico/io/fold.h"
+#include "plico/io/parse_json.h"
 
 namespace plico {
 namespace {
@@ -23,41 +24,6 @@ constexpr double kMaxCoordinate = 1e30;  // as for meshes: products of six must 
 }
 
 // ---- JSON --------------------------------------------------------------------------------------------------------
-
-// nlohmann's writer recurses once per level, so a deep file could run out of stack.
-void check_depth(std::string_view bytes, const std::string& name) {
-  constexpr int kDeepest = 100;
-  int depth = 0;
-  bool in_string = false;
-  for (std::size_t i = 0; i < bytes.size(); ++i) {
-    const char c = bytes[i];
-    if (in_string && c == '\\')
-      ++i;
-    else if (c == '"')
-      in_string = !in_string;
-    else if (!in_string && (c == '[' || c == '{') && ++depth > kDeepest)
-      fail("depth", fmt::format("the JSON is nested more than {} levels deep", kDeepest),
-           fmt::format("{}, byte {}", name, i));
-    else if (!in_string && (c == ']' || c == '}'))
-      --depth;
-  }
-}
-
-Json parse(std::string_view bytes, const std::string& name) {
-  check_depth(bytes, name);
-  try {
-    return Json::parse(bytes);
-  } catch (const Json::parse_error& error) {
-    const std::size_t at = std::min(error.byte == 0 ? 0 : error.byte - 1, bytes.size());
-    const auto line = std::count(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(at), '\n') + 1;
-    const std::size_t start = at == 0 ? 0 : bytes.rfind('\n', at - 1) + 1;  // npos + 1 is 0
-    const bool ended = at >= bytes.size();
-    fail("json", ended ? "the file ends in the middle of its JSON" : "the file is not JSON",
-         fmt::format("{}:{}:{}", name, line, at - start + 1));
-  } catch (const Json::out_of_range&) {
-    fail("number", "the file holds a number that is too large for a double", name);
-  }
-}
 
 const Json* member(const Json& object, const char* key) {
   const auto at = object.find(key);
@@ -479,7 +445,7 @@ Json swapped_frame(const Json& frame, std::size_t number, std::size_t chosen) {
 }  // namespace
 
 FoldFile read_fold(std::string_view bytes, const std::string& name) {
-  const Json root = parse(bytes, name);
+  const Json root = parse_json(bytes, name, "fold");
   if (!root.is_object()) fail("json", "a FOLD file is a JSON object", name);
   check_version(root);
   const std::vector<Frame> all = frames(root);

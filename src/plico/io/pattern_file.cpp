@@ -4,12 +4,13 @@
 #include "plico/io/cp.h"
 #include "plico/io/file.h"
 #include "plico/io/opx.h"
+#include "plico/io/ori.h"
 #include "plico/io/svg_pattern.h"
 
 namespace plico {
 namespace {
 
-PatternFile drawing(ImportedPattern&& imported) { return {fold_file(imported.sheet), std::move(imported.notes)}; }
+PatternFile drawing(ImportedPattern imported) { return {fold_file(imported.sheet), std::move(imported.notes)}; }
 
 PatternFile read_as(std::string_view bytes, PatternFormat format, const std::string& name) {
   switch (format) {
@@ -21,6 +22,8 @@ PatternFile read_as(std::string_view bytes, PatternFormat format, const std::str
       return drawing(read_opx(bytes, name));
     case PatternFormat::Svg:
       return drawing(read_svg_pattern(bytes, name));
+    case PatternFormat::Ori:
+      return drawing(read_ori(bytes, name).pattern);
   }
   return {};
 }
@@ -28,12 +31,13 @@ PatternFile read_as(std::string_view bytes, PatternFormat format, const std::str
 }  // namespace
 
 std::string_view name(PatternFormat format) {
-  constexpr std::string_view kNames[] = {"FOLD", "CP", "OPX", "SVG"};
+  constexpr std::string_view kNames[] = {"FOLD", "CP", "OPX", "SVG", "ORI"};
   return kNames[static_cast<int>(format)];
 }
 
 std::optional<PatternFormat> pattern_format_of(const std::string& path) {
   const std::string ext = extension(path);
+  if (ext == "ori" || path.ends_with(".ori.json")) return PatternFormat::Ori;
   if (ext == "fold" || ext == "json") return PatternFormat::Fold;
   if (ext == "cp") return PatternFormat::Cp;
   if (ext == "opx") return PatternFormat::Opx;
@@ -44,7 +48,8 @@ std::optional<PatternFormat> pattern_format_of(const std::string& path) {
 std::optional<PatternFormat> sniff_pattern_format(std::string_view bytes) {
   const auto first = bytes.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) return {};
-  if (bytes[first] == '{') return PatternFormat::Fold;
+  if (bytes[first] == '{')
+    return bytes.find("\"ordered_face_ids\"") != std::string_view::npos ? PatternFormat::Ori : PatternFormat::Fold;
   if (bytes[first] >= '0' && bytes[first] <= '4') return PatternFormat::Cp;
   if (bytes.find("OriLineProxy") != std::string_view::npos) return PatternFormat::Opx;
   if (bytes.find("<svg") != std::string_view::npos) return PatternFormat::Svg;

@@ -9,7 +9,7 @@
 
 namespace plico {
 
-enum class PatternFormat { Fold, Cp, Opx, Svg };
+enum class PatternFormat { Fold, Cp, Opx, Svg, Ori };
 std::string_view name(PatternFormat format);                                // "FOLD"
 std::optional<PatternFormat> pattern_format_of(const std::string& path);    // by the extension
 std::optional<PatternFormat> sniff_pattern_format(std::string_view bytes);  // by the contents
