@@ -201,9 +201,11 @@ class OrigamiPlanning {
     const MdFrogResult found = md_frog(sheet_, options, run_);
     if (found.paths.empty()) {
       if (outcome_.motions.empty()) outcome_.ending = found.ending;
-      outcome_.notes.push_back(
-          fmt::format("no {}way through {} discrete states: {} connections tried, {} ways refuted by the proof",
-                      outcome_.notes.empty() ? "" : "other ", found.states, found.connections_tried, found.refuted));
+      const std::string tried = fmt::format("{} discrete states: {} connections tried, {} ways refuted by the proof",
+                                            found.states, found.connections_tried, found.refuted);
+      outcome_.notes.push_back(found.ending == Ending::Exhausted
+                                   ? fmt::format("no {}way through {}", outcome_.notes.empty() ? "" : "other ", tried)
+                                   : "the search for a way was cut short among " + tried);
       return false;
     }
     outcome_ = {};
