@@ -15,10 +15,10 @@ namespace plico {
 namespace {
 
 constexpr double kLargest = 1e15;
-constexpr double kFlat = 1e-9;              // of the largest coordinate: how far vertices may be off the plane
-constexpr double kRounded = 5e-6;  // files have six digits
-constexpr double kBeyond = radians(1e-3);   // that much above 180 degrees is rounding
-constexpr int kMostRows = 10'000'000;       // more than any file holds: a bad count must not ask for memory
+constexpr double kFlat = 1e-9;             // of the largest coordinate: how far vertices may be off the plane
+constexpr double kRounded = 5e-6;          // files have six digits
+constexpr double kBeyond = radians(1e-3);  // that much above 180 degrees is rounding
+constexpr int kMostRows = 10'000'000;      // more than any file holds: a bad count must not ask for memory
 
 // The file's tables, as they stand.
 struct Tables {
