@@ -23,6 +23,8 @@ constexpr std::array<long, 3> kPatience = {2, 20, 300};
 // Euclidean, radians: waypoints that are not farther apart let the motion between them be proven.
 constexpr double kResolution = 0.1;
 
+constexpr std::size_t kMostNodes = 5000;  // states with their layers: each brings an arc to every state
+
 constexpr double kEstimate = 1e6;  // estimates that differ by less than 1 / kEstimate are equal
 
 using Edge = std::pair<int, int>;  // from the state closer to flat along the path
@@ -146,17 +148,15 @@ class Roadmap {
     nodes_.clear();
     seen_.clear();
     open_ = {};
-    enter({stops_.front(), 0, layers_at(stops_.front()), -1, 0, 0});
-    while (!open_.empty() && !over()) {
+    if (enter({stops_.front(), 0, layers_at(stops_.front()), -1, 0, 0})) return way_to();
+    while (!open_.empty() && !over() && nodes_.size() < kMostNodes) {
       const Arc arc = open_.top();
       open_.pop();
       const Node from = nodes_[arc.node];
       if (left_.count({from.leg, from.state, from.layers, arc.to}) > 0 || !connected(from.state, arc.to)) continue;
       const std::optional<std::string> layers = layers_after(from, arc.to);
       if (!layers) continue;
-      const bool arrives = arc.to == stops_[from.leg + 1];
-      if (enter({arc.to, from.leg + arrives, *layers, arc.node, from.cost + arc.length, from.depth + 1}))
-        return way_to();
+      if (enter({arc.to, from.leg, *layers, arc.node, from.cost + arc.length, from.depth + 1})) return way_to();
       run_.report("planning", result_.connections_tried, 0);
     }
     return {};
@@ -164,10 +164,11 @@ class Roadmap {
 
   // True at the last stop.
   bool enter(Node node) {
+    const int last = static_cast<int>(stops_.size()) - 1;
+    while (node.leg < last && node.state == stops_[node.leg + 1]) ++node.leg;
     if (!seen_.insert({node.leg, node.state, node.layers}).second) return false;
     const int id = static_cast<int>(nodes_.size());
-    const bool is_last = node.leg + 1 == static_cast<int>(stops_.size());
-    if (!is_last) {
+    if (node.leg < last) {
       const int stop = stops_[node.leg + 1];
       for (int to = 0; to < num_states(); ++to) {
         if (to == node.state || (banned_[to] && to != stop) || state(node.state, to) == State::Failed ||
@@ -179,7 +180,7 @@ class Roadmap {
       }
     }
     nodes_.push_back(std::move(node));
-    return is_last;
+    return nodes_.back().leg == last;
   }
 
   std::vector<int> way_to() const {

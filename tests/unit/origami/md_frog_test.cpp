@@ -103,6 +103,19 @@ TEST(MdFrog, SaysWhenThereIsNoOtherWay) {
   EXPECT_EQ(result.paths.size(), 1);
 }
 
+TEST(MdFrog, StopsThatAreOneAndTheSameArePassedAtOnce) {
+  const Configuration target = goal(make_linkage(l2()));
+  const MdFrogResult twice = md_frog(l2(), {.intermediate = {target, target}});
+  ASSERT_EQ(twice.ending, Ending::Found);
+  EXPECT_EQ(twice.paths[0].states.back(), target);
+  CreasePattern still = l2();
+  for (Crease& crease : still.edges) crease.fold_angle = 0;
+  const MdFrogResult flat = md_frog(still);
+  ASSERT_EQ(flat.ending, Ending::Found);
+  EXPECT_EQ(flat.paths[0].states.size(), 1u);
+  EXPECT_EQ(flat.paths[0].path.waypoints.size(), 2u);
+}
+
 TEST(MdFrog, RefusesAGoalThatDoesNotClose) {
   CreasePattern sheet = waterbomb_base();
   sheet.edges.front().fold_angle = 1;
