@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "plico/base/error.h"
+#include "plico/io/xml_text.h"
 
 namespace plico {
 namespace {
@@ -61,19 +62,6 @@ std::vector<Curve> group(const FoldingPath& path, double equal, int& still) {
   return curves;
 }
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else
-      out += c;
-  }
-  return out;
-}
-
 class Figure {
  public:
   Figure(const FoldingPath& path, const AnglePlotOptions& options) : path_(path), options_(options) {
@@ -92,7 +80,7 @@ class Figure {
         kWidth, kHeight);
     if (!options_.title.empty())
       svg_ += fmt::format("<text x=\"{}\" y=\"26\" font-size=\"15\" font-weight=\"bold\">{}</text>\n", kLeft,
-                          escaped(options_.title));
+                          xml_text(options_.title));
     axes();
     for (std::size_t i = curves_.size(); i-- > 0;) curve(curves_[i], color(i), i < colored() ? 2.2 : 0.8);
     legend();

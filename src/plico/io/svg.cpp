@@ -6,26 +6,10 @@
 #include <iterator>
 
 #include "plico/fabricate/font.h"
+#include "plico/io/xml_text.h"
 
 namespace plico {
 namespace {
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (char c : text) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else if (c == '"')
-      result += "&quot;";
-    else if (static_cast<unsigned char>(c) >= 0x20)
-      result += c;
-  }
-  return result;
-}
 
 std::string hex(const std::array<double, 3>& color) {
   const auto byte = [](double x) { return static_cast<int>(std::lround(255 * x)); };
@@ -42,7 +26,7 @@ class SvgWriter {
         "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"\n"
         "     version=\"1.1\" width=\"{0}mm\" height=\"{1}mm\" viewBox=\"0 0 {0} {1}\">\n",
         w, h);
-    out("<title>{}</title>\n", escaped(drawing_.title));
+    out("<title>{}</title>\n", xml_text(drawing_.title));
     write_style();
     for (Layer layer : kDrawOrder) write_layer(layer);
     out("</svg>\n");
@@ -87,7 +71,7 @@ class SvgWriter {
 
   void write_stroke(const Stroke& stroke) {
     out("<path class=\"p{}\"", stroke.pen);
-    if (!stroke.part.empty()) out(" data-part=\"{}\"", escaped(stroke.part));
+    if (!stroke.part.empty()) out(" data-part=\"{}\"", xml_text(stroke.part));
     char command = 'M';
     out(" d=\"");
     for (const Vec2& p : stroke.points) {
@@ -101,7 +85,7 @@ class SvgWriter {
     const std::string x = decimal(text.start.x()), y = decimal(flipped(text.start.y()));
     out("<text class=\"p{}\" x=\"{}\" y=\"{}\" font-size=\"{}\"", text.pen, x, y, decimal(text.size));
     if (text.angle != 0) out(" transform=\"rotate({} {} {})\"", decimal(-degrees(text.angle)), x, y);
-    out(">{}</text>\n", escaped(text.text));
+    out(">{}</text>\n", xml_text(text.text));
   }
 
   const Drawing& drawing_;

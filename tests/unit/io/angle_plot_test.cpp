@@ -26,6 +26,7 @@ TEST(AnglePlot, CreasesThatMoveAlikeShareACurve) {
   EXPECT_THAT(svg, HasSubstr("1 stays flat"));
   EXPECT_THAT(svg, HasSubstr("a &lt; b"));
   EXPECT_EQ(svg, write_angle_plot(linear_path(linkage), {.title = "a < b"}));
+  EXPECT_THAT(write_angle_plot(linear_path(linkage), {.title = "a\x01 & b"}), HasSubstr(">a &amp; b<"));
 }
 
 TEST(AnglePlot, SmallGroupsAreGrey) {
