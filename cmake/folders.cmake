@@ -1,5 +1,5 @@
 # plico_folder(NAME SEES folder... LINKS_PUBLIC target... LINKS_PRIVATE target...)
-# Declares the folder src/plico/NAME as one target. SEES lists the only folders it may include from; the test
+# Declares the folder src/plico/NAME, which may be nested ("io/mesh"), as one target (plico_io_mesh). SEES lists the only folders it may include from; the test
 # `include_order` compares that with the #include lines.
 set_property(GLOBAL PROPERTY PLICO_FOLDERS "")
 
@@ -9,11 +9,13 @@ function(plico_folder name)
   if(NOT sources)
     return()
   endif()
-  add_library(plico_${name} OBJECT ${sources})
-  target_include_directories(plico_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
-  target_link_libraries(plico_${name} PUBLIC Eigen3::Eigen fmt::fmt ${ARG_LINKS_PUBLIC} PRIVATE ${ARG_LINKS_PRIVATE})
+  string(REPLACE "/" "_" target plico_${name})
+  add_library(${target} OBJECT ${sources})
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
+  target_link_libraries(${target} PUBLIC Eigen3::Eigen fmt::fmt ${ARG_LINKS_PUBLIC} PRIVATE ${ARG_LINKS_PRIVATE})
   foreach(seen ${ARG_SEES})
-    target_link_libraries(plico_${name} PUBLIC plico_${seen})
+    string(REPLACE "/" "_" seen_target plico_${seen})
+    target_link_libraries(${target} PUBLIC ${seen_target})
   endforeach()
   set_property(GLOBAL APPEND PROPERTY PLICO_FOLDERS ${name})
   set_property(GLOBAL PROPERTY PLICO_SEES_${name} "${ARG_SEES}")

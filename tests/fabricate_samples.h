@@ -8,7 +8,7 @@
 
 #include "plico/base/rng.h"
 #include "plico/fabricate/page.h"
-#include "plico/mesh/shapes.h"
+#include "plico/shapes/shapes.h"
 #include "plico/unfold/search.h"
 
 namespace plico::samples {

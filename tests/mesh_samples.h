@@ -6,7 +6,7 @@
 
 #include "plico/base/rng.h"
 #include "plico/mesh/mesh.h"
-#include "plico/mesh/shapes.h"
+#include "plico/shapes/shapes.h"
 
 namespace plico {
 

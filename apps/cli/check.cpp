@@ -7,7 +7,7 @@
 
 #include "commands.h"
 #include "plico/base/error.h"
-#include "plico/io/mesh_file.h"
+#include "plico/io/mesh/mesh_file.h"
 #include "plico/mesh/repair.h"
 #include "session.h"
 

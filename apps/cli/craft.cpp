@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.h"
-#include "plico/io/mesh_file.h"
+#include "plico/io/mesh/mesh_file.h"
 #include "plico/workflow/craft.h"
 #include "print_options.h"
 #include "session.h"
@@ -32,7 +32,7 @@ CraftOptions craft_options(const CraftArgs& args, Session& session) {
   options.law = args.foldable == "linear"    ? std::optional(FoldingLaw::Linear)
                 : args.foldable == "uniform" ? std::optional(FoldingLaw::Uniform)
                                              : std::nullopt;
-  options.sheet = sheet_options(args.print);
+  options.layout = layout_options(args.print);
   options.draw = draw_options(args.print, options.name);
   return options;
 }
@@ -52,7 +52,7 @@ void print_result(const Session& session, const std::string& folder, const Craft
                             result.verdict.parts == 1 ? "part" : "parts",
                             result.verdict.valid() ? "verified free of overlap" : "NOT verified"));
   session.print(fmt::format("motion     {}\n", motion_text(result)));
-  session.print(human(result.sheet.report));
+  session.print(human(result.layout.report));
   session.print(fmt::format("files      {}: ", folder));
   for (const CraftFile& file : result.files) session.print(fmt::format("{} ", file.name));
   session.print("\n");
@@ -66,7 +66,7 @@ int craft_file(const CraftArgs& args, Session& session) {
   session.report()["craft"] = craft_report(mesh, result);
   print_result(session, folder, result);
   for (const Defect& defect : result.verdict.defects) session.warn(defect.message);
-  for (const std::string& problem : result.sheet_verdict.problems) session.warn(problem);
+  for (const std::string& problem : result.layout_verdict.problems) session.warn(problem);
   if (!result.sound()) return kInternal;
   return Session::exit_code(result.ending);
 }

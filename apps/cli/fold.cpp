@@ -10,7 +10,7 @@
 #include "commands.h"
 #include "motion_report.h"
 #include "plico/base/error.h"
-#include "plico/io/fold.h"
+#include "plico/io/pattern/fold.h"
 #include "plico/workflow/plan_origami.h"
 #include "read_sheet.h"
 #include "session.h"

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.h"
-#include "plico/io/mesh_file.h"
+#include "plico/io/mesh/mesh_file.h"
 #include "plico/mesh/measures.h"
 #include "session.h"
 

@@ -11,13 +11,13 @@
 #include "plico/base/error.h"
 #include "plico/base/version.h"
 #include "plico/fabricate/fabricate.h"
-#include "plico/io/drawing.h"
-#include "plico/io/dxf.h"
-#include "plico/io/file.h"
-#include "plico/io/fold.h"
-#include "plico/io/pdf.h"
-#include "plico/io/svg.h"
-#include "plico/verify/sheet.h"
+#include "plico/io/page/drawing.h"
+#include "plico/io/page/dxf.h"
+#include "plico/io/page/pdf.h"
+#include "plico/io/page/svg.h"
+#include "plico/io/pattern/fold.h"
+#include "plico/io/text/file.h"
+#include "plico/verify/page_layout.h"
 #include "print_options.h"
 #include "read_sheet.h"
 #include "session.h"
@@ -78,18 +78,18 @@ std::string stem(const std::string& path) {
 }
 
 int print(const NetArgs& args, Session& session) {
-  SheetOptions options = sheet_options(args.print);
+  LayoutOptions options = layout_options(args.print);
   const std::string name = stem(args.net);
   const std::vector<std::string> outputs = session.outputs(name + ".pdf");
   for (const std::string& path : outputs) require_kind(path);
   FoldFile file = read_sheet(args.net, session);
   options.size.fill_page = file.unit == "unit";  // a file in millimetres says how large it is
-  const SheetResult result = make_sheet(file.net, shape_of(file), options, session.run());
-  const SheetVerdict verdict = verify_sheet(result.sheet);
+  const LayoutResult result = lay_out_pages(file.net, shape_of(file), options, session.run());
+  const LayoutVerdict verdict = verify_layout(result.layout);
   session.report()["print"] = json_of(result.report);
   session.report()["print"]["overlaps"] = verdict.overlaps;
   const DrawOptions how = draw_options(args.print, name);
-  const std::vector<Drawing> pages = draw(result.sheet, how);
+  const std::vector<Drawing> pages = draw(result.layout, how);
   for (const std::string& path : outputs) write_pages(session, path, pages, how.title);
   session.print(human(result.report));
   for (const std::string& problem : verdict.problems) session.warn(problem);

@@ -65,8 +65,8 @@ void add_print_options(Command& command, PrintArgs& args) {
       .option("--title", "TEXT", "name beside the legend; default the file's", args.title);
 }
 
-SheetOptions sheet_options(const PrintArgs& args) {
-  SheetOptions options;
+LayoutOptions layout_options(const PrintArgs& args) {
+  LayoutOptions options;
   options.size = args.size;
   options.size.up = args.up[0];
   options.size.scale = args.scale;
@@ -90,7 +90,7 @@ DrawOptions draw_options(const PrintArgs& args, const std::string& default_title
   return {draw_style(args.style), args.show_flat_creases, args.title.empty() ? default_title : args.title};
 }
 
-nlohmann::json json_of(const SheetReport& r) {
+nlohmann::json json_of(const LayoutReport& r) {
   const Tabs& t = r.tabs;
   return {{"pages", r.pages},
           {"parts", r.parts},
@@ -109,7 +109,7 @@ nlohmann::json json_of(const SheetReport& r) {
           {"pages_without_ruler", r.pages_without_ruler}};
 }
 
-std::string human(const SheetReport& r) {
+std::string human(const LayoutReport& r) {
   const Vec3& s = r.final_size;
   std::string text =
       fmt::format("{} {} on {} {}, {:.0f} % of the paper used\n", r.parts, r.parts == 1 ? "part" : "parts", r.pages,

@@ -7,7 +7,7 @@
 
 #include "command.h"
 #include "plico/fabricate/fabricate.h"
-#include "plico/io/drawing.h"
+#include "plico/io/page/drawing.h"
 
 namespace plico::cli {
 
@@ -21,10 +21,10 @@ struct PrintArgs {
 };
 
 void add_print_options(Command& command, PrintArgs& args);
-SheetOptions sheet_options(const PrintArgs& args);  // throws InvalidOption
+LayoutOptions layout_options(const PrintArgs& args);  // throws InvalidOption
 DrawOptions draw_options(const PrintArgs& args, const std::string& default_title);
 
-nlohmann::json json_of(const SheetReport& report);
-std::string human(const SheetReport& report);  // some lines for people
+nlohmann::json json_of(const LayoutReport& report);
+std::string human(const LayoutReport& report);  // some lines for people
 
 }  // namespace plico::cli

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "plico/io/pattern_file.h"
+#include "plico/io/pattern/pattern_file.h"
 
 namespace plico::cli {
 

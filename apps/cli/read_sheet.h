@@ -2,7 +2,7 @@
 #pragma once
 #include <string>
 
-#include "plico/io/fold.h"
+#include "plico/io/pattern/fold.h"
 #include "session.h"
 
 namespace plico::cli {

@@ -6,8 +6,8 @@
 
 #include "commands.h"
 #include "plico/base/error.h"
-#include "plico/io/mesh_file.h"
-#include "plico/mesh/named_shapes.h"
+#include "plico/io/mesh/mesh_file.h"
+#include "plico/shapes/named_shapes.h"
 #include "session.h"
 
 namespace plico::cli {

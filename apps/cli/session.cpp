@@ -11,7 +11,7 @@
 #include "plico/base/error.h"
 #include "plico/base/sha256.h"
 #include "plico/base/version.h"
-#include "plico/io/file.h"
+#include "plico/io/text/file.h"
 #include "progress.h"
 #include "stop_signal.h"
 

@@ -5,12 +5,12 @@
 #include <thread>
 
 #include "plico/base/error.h"
-#include "plico/io/file.h"
-#include "plico/io/mesh_file.h"
+#include "plico/io/mesh/mesh_file.h"
+#include "plico/io/text/file.h"
 #include "plico/mesh/measures.h"
-#include "plico/mesh/named_shapes.h"
 #include "plico/motion/collision.h"
 #include "plico/motion/planner.h"
+#include "plico/shapes/named_shapes.h"
 #include "plico/unfold/search.h"
 #include "plico/workflow/foldable_net.h"
 #include "table.h"

@@ -2,10 +2,10 @@
 // The first net is the best steepest-edge tree of 20 directions, or, where all of them overlap, our search's way out of
 // steepest-edge trees. Bounds: no hull is smaller than the surface, and no net of the mesh is cut by more than this
 // much less. usage: bench_optimize [--meshes DIR] [--json FILE] [--quick]
-#include "plico/io/mesh_file.h"
+#include "plico/io/mesh/mesh_file.h"
 #include "plico/mesh/check.h"
-#include "plico/mesh/creature.h"
 #include "plico/mesh/measures.h"
+#include "plico/shapes/creature.h"
 #include "plico/unfold/classic.h"
 #include "plico/unfold/optimize.h"
 #include "plico/unfold/search.h"

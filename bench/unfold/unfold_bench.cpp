@@ -8,9 +8,9 @@
 #include <filesystem>
 
 #include "plico/base/error.h"
-#include "plico/io/mesh_file.h"
+#include "plico/io/mesh/mesh_file.h"
 #include "plico/mesh/measures.h"
-#include "plico/mesh/named_shapes.h"
+#include "plico/shapes/named_shapes.h"
 #include "plico/unfold/classic.h"
 #include "plico/unfold/evolve.h"
 #include "plico/unfold/search.h"

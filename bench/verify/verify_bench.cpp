@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "plico/io/file.h"
-#include "plico/io/fold.h"
-#include "plico/io/mesh_file.h"
+#include "plico/io/mesh/mesh_file.h"
+#include "plico/io/pattern/fold.h"
+#include "plico/io/text/file.h"
 #include "plico/verify/net.h"
 
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "plico/base/error.h"
-#include "plico/io/cp.h"
+#include "plico/io/pattern/cp.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {

@@ -3,7 +3,7 @@
 #include <cstdlib>
 
 #include "plico/base/error.h"
-#include "plico/io/fold.h"
+#include "plico/io/pattern/fold.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::string once;

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "plico/base/error.h"
-#include "plico/io/obj.h"
+#include "plico/io/mesh/obj.h"
 #include "plico/mesh/check.h"
 #include "plico/mesh/repair.h"
 

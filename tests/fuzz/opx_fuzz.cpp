@@ -4,8 +4,8 @@
 #include <cstdlib>
 
 #include "plico/base/error.h"
-#include "plico/io/cp.h"
-#include "plico/io/opx.h"
+#include "plico/io/pattern/cp.h"
+#include "plico/io/pattern/opx.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {

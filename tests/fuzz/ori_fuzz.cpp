@@ -6,7 +6,7 @@
 
 #include "plico/base/error.h"
 #include "plico/fold/linkage.h"
-#include "plico/io/ori.h"
+#include "plico/io/pattern/ori.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);

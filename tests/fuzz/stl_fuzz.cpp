@@ -1,5 +1,5 @@
 #include "mesh_reader_fuzz.h"
-#include "plico/io/stl.h"
+#include "plico/io/mesh/stl.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   return plico::fuzz_mesh_reader(data, size, [](std::string_view bytes) { return plico::read_stl(bytes); });

@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "plico/base/error.h"
-#include "plico/io/svg_pattern.h"
+#include "plico/io/pattern/svg_pattern.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {

@@ -30,14 +30,14 @@ std::vector<std::vector<Vec2>> part_points(const Unfolding& net) {
 }
 
 // Parts must fit with a tab's depth to spare on both sides, which is the most that tabs can add.
-Vec2 room_without_tabs(const SheetOptions& options) {
+Vec2 room_without_tabs(const LayoutOptions& options) {
   const double tab = options.tabs.side == TabSide::None ? 0 : options.tabs.depth;
   return printable(options.page) - Vec2::Constant(2 * tab);
 }
 
 // The largest scale at which every part of the net fits a page, rounded down so that the longest side of the model is a
 // whole number of millimetres.
-double scale_that_fills_page(const Unfolding& net, const FoldedShape& shape, const SheetOptions& options) {
+double scale_that_fills_page(const Unfolding& net, const FoldedShape& shape, const LayoutOptions& options) {
   double scale = std::numeric_limits<double>::infinity();
   for (auto& points : part_points(net))
     scale = std::min(scale, 0.999 * largest_scale(convex_hull(std::move(points)), room_without_tabs(options)));
@@ -52,7 +52,7 @@ bool any_too_large(const Unfolding& net, const Vec2& room) {
 }
 
 [[noreturn]] void throw_too_large(int part, double factor, double scale, const FoldedShape& shape,
-                                  const SheetOptions& options, bool is_panel) {
+                                  const LayoutOptions& options, bool is_panel) {
   const double longest = std::floor(10 * 0.999 * factor * scale * shape.size.maxCoeff()) / 10;
   const Vec2 page = options.page.size;
   throw InvalidInput(is_panel ? "fabricate/panel-too-large" : "fabricate/part-too-large",
@@ -67,7 +67,7 @@ bool any_too_large(const Unfolding& net, const Vec2& room) {
 
 // Which item of `hulls` fits least, and by which factor it would have to shrink.
 void require_fit(const std::vector<std::vector<Vec2>>& hulls, const std::vector<std::vector<Vec2>>& bare, double scale,
-                 const FoldedShape& shape, const SheetOptions& options, bool is_panel) {
+                 const FoldedShape& shape, const LayoutOptions& options, bool is_panel) {
   int worst = -1;
   double factor = 1;
   for (std::size_t i = 0; i < hulls.size(); ++i) {
@@ -99,7 +99,7 @@ std::vector<PlaceItem> place_items(const Unfolding& net, const Tabs& tabs) {
 class Assembler {
  public:
   Assembler(const NetSides& sides, const Outlines& outlines, const Tabs& tabs, const Placed& placed,
-            const FoldedShape& shape, const SheetOptions& options)
+            const FoldedShape& shape, const LayoutOptions& options)
       : sides_(sides),
         net_(sides.net()),
         outlines_(outlines),
@@ -181,7 +181,7 @@ class Assembler {
   const Outlines& outlines_;
   const Placed& placed_;
   const FoldedShape& shape_;
-  const SheetOptions& options_;
+  const LayoutOptions& options_;
   std::vector<const NetTab*> tab_of_;
 };
 
@@ -201,12 +201,12 @@ std::vector<std::string> seam_names(const Unfolding& net, const Outlines& outlin
   return names;
 }
 
-int count_pages_without_ruler(const Sheet& sheet) {
+int count_pages_without_ruler(const PageLayout& layout) {
   return static_cast<int>(
-      std::ranges::count_if(sheet.pages, [](const Page& p) { return p.key_form == KeyForm::None; }));
+      std::ranges::count_if(layout.pages, [](const Page& p) { return p.key_form == KeyForm::None; }));
 }
 
-void check(const SheetOptions& options) {
+void check(const LayoutOptions& options) {
   check(options.page);
   check(options.tabs);
   check(options.labels);
@@ -216,11 +216,11 @@ void check(const SheetOptions& options) {
 
 }  // namespace
 
-SheetResult make_sheet(const Unfolding& model_net, const FoldedShape& shape, const SheetOptions& options,
-                       const Run& run) {
+LayoutResult lay_out_pages(const Unfolding& model_net, const FoldedShape& shape, const LayoutOptions& options,
+                           const Run& run) {
   check(options);
-  SheetResult result;
-  SheetReport& report = result.report;
+  LayoutResult result;
+  LayoutReport& report = result.report;
   report.scale = options.size.fill_page && !options.size.is_given() ? scale_that_fills_page(model_net, shape, options)
                                                                     : scale_of(shape, options.size);
   report.final_size = report.scale * shape.size;
@@ -243,20 +243,20 @@ SheetResult make_sheet(const Unfolding& model_net, const FoldedShape& shape, con
   require_fit(hulls, bare, report.scale, shape, options, options.split);
   const Placed placed = place(items, options.page, options.place, run);
 
-  Sheet& sheet = result.sheet;
-  sheet.pages = placed.pages;
-  sheet.scale = report.scale;
-  sheet.folded_size = report.final_size;
-  sheet.margin = options.page.margin;
-  sheet.has_taped_seams = options.labels.edge_ids && !report.tabs.without.empty();
-  sheet.parts = Assembler(sides, outlines, report.tabs, placed, shape, options).parts();
-  add_marks(sheet, sides, outlines, options.marks);
+  PageLayout& layout = result.layout;
+  layout.pages = placed.pages;
+  layout.scale = report.scale;
+  layout.folded_size = report.final_size;
+  layout.margin = options.page.margin;
+  layout.has_taped_seams = options.labels.edge_ids && !report.tabs.without.empty();
+  layout.parts = Assembler(sides, outlines, report.tabs, placed, shape, options).parts();
+  add_marks(layout, sides, outlines, options.marks);
   run.report("writing labels", 0);
-  report.labels = add_labels(sheet, seam_names(net, outlines, report.tabs), Font(), options.labels);
-  report.pages = static_cast<int>(sheet.pages.size());
-  report.parts = static_cast<int>(sheet.parts.size());
+  report.labels = add_labels(layout, seam_names(net, outlines, report.tabs), Font(), options.labels);
+  report.pages = static_cast<int>(layout.pages.size());
+  report.parts = static_cast<int>(layout.parts.size());
   report.fill_ratio = placed.fill_ratio;
-  report.pages_without_ruler = count_pages_without_ruler(sheet);
+  report.pages_without_ruler = count_pages_without_ruler(layout);
   return result;
 }
 

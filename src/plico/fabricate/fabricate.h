@@ -9,11 +9,11 @@
 #include "plico/fabricate/page.h"
 #include "plico/fabricate/place.h"
 #include "plico/fabricate/tabs.h"
-#include "plico/fold/sheet.h"
+#include "plico/fold/page_layout.h"
 
 namespace plico {
 
-struct SheetOptions {
+struct LayoutOptions {
   SizeOptions size;
   PageOptions page;
   PlaceOptions place;
@@ -24,7 +24,7 @@ struct SheetOptions {
   double flat = radians(0.5);  // folds up to this angle count as flat, radians
 };
 
-struct SheetReport {
+struct LayoutReport {
   double scale = 1;                // millimetres per unit
   Vec3 final_size = Vec3::Zero();  // of the folded model, millimetres
   int pages = 0, parts = 0;
@@ -35,14 +35,14 @@ struct SheetReport {
   int pages_without_ruler = 0;
 };
 
-struct SheetResult {
-  Sheet sheet;
-  SheetReport report;
+struct LayoutResult {
+  PageLayout layout;
+  LayoutReport report;
 };
 
 // Lays out `net` (in the model's unit). Throws InvalidInput when a part fits no page, saying the largest size that
 // would fit, unless it may be split; InvalidOption when an option is out of range.
-SheetResult make_sheet(const Unfolding& net, const FoldedShape& shape, const SheetOptions& options = {},
-                       const Run& run = {});
+LayoutResult lay_out_pages(const Unfolding& net, const FoldedShape& shape, const LayoutOptions& options = {},
+                           const Run& run = {});
 
 }  // namespace plico

@@ -33,18 +33,18 @@ double upright(double angle) {
 
 class Labeller {
  public:
-  Labeller(Sheet& sheet, const std::vector<std::string>& seam_name, const Font& font, const LabelOptions& options)
-      : sheet_(sheet), seam_name_(seam_name), font_(font), options_(options), paper_(12), written_(12) {
-    for (const PlacedPart& part : sheet.parts) take_paper(part);
-    for (std::size_t p = 0; p < sheet.pages.size(); ++p) take_key(static_cast<int>(p));
+  Labeller(PageLayout& layout, const std::vector<std::string>& seam_name, const Font& font, const LabelOptions& options)
+      : layout_(layout), seam_name_(seam_name), font_(font), options_(options), paper_(12), written_(12) {
+    for (const PlacedPart& part : layout.parts) take_paper(part);
+    for (std::size_t p = 0; p < layout.pages.size(); ++p) take_key(static_cast<int>(p));
   }
 
   LabelReport run() {
-    const bool named = options_.part_names && sheet_.parts.size() > 1;
-    for (PlacedPart& part : sheet_.parts)
+    const bool named = options_.part_names && layout_.parts.size() > 1;
+    for (PlacedPart& part : layout_.parts)
       if (named) name_part(part);
     if (!options_.edge_ids) return report_;
-    for (PlacedPart& part : sheet_.parts) label_edges(part);
+    for (PlacedPart& part : layout_.parts) label_edges(part);
     for (const auto& [part, panel, side] : crowded_) lead_out(*part, *panel, side);
     return report_;
   }
@@ -65,7 +65,7 @@ class Labeller {
   }
 
   void take_key(int page) {
-    const Page& p = sheet_.pages[page];
+    const Page& p = layout_.pages[page];
     if (p.key_form == KeyForm::None) return;
     Vec2 size = key_size(p.key_form, p.ruler);
     if (!p.key_upright) std::swap(size.x(), size.y());
@@ -173,8 +173,8 @@ class Labeller {
   }
 
   bool on_page(const Box& box, int page) const {
-    const Vec2 margin = Vec2::Constant(sheet_.margin);
-    const Eigen::AlignedBox2d inside(margin, sheet_.pages[page].size - margin);
+    const Vec2 margin = Vec2::Constant(layout_.margin);
+    const Eigen::AlignedBox2d inside(margin, layout_.pages[page].size - margin);
     return std::ranges::all_of(box, [&](const Vec2& p) { return inside.contains(p); });
   }
 
@@ -183,7 +183,7 @@ class Labeller {
     const PlacedPanel* panel;
     int side;
   };
-  Sheet& sheet_;
+  PageLayout& layout_;
   const std::vector<std::string>& seam_name_;
   const Font& font_;
   const LabelOptions& options_;
@@ -206,10 +206,10 @@ std::string part_name(int index) {
   return name;
 }
 
-LabelReport add_labels(Sheet& sheet, const std::vector<std::string>& seam_name, const Font& font,
+LabelReport add_labels(PageLayout& layout, const std::vector<std::string>& seam_name, const Font& font,
                        const LabelOptions& options) {
   check(options);
-  return Labeller(sheet, seam_name, font, options).run();
+  return Labeller(layout, seam_name, font, options).run();
 }
 
 }  // namespace plico

@@ -2,8 +2,8 @@
 #pragma once
 #include <vector>
 
-#include "plico/fabricate/font.h"
-#include "plico/fold/sheet.h"
+#include "plico/fold/page_layout.h"
+#include "plico/font/font.h"
 
 namespace plico {
 
@@ -24,10 +24,10 @@ struct LabelReport {
 // "A", "B", ..., "Z", "AA", ...
 std::string part_name(int index);
 
-// Adds labels to the placed parts of `sheet`. seam_name has the id of each sheet edge, empty for none. A label lies
+// Adds labels to the placed parts of `layout`. seam_name has the id of each sheet edge, empty for none. A label lies
 // inside its panel or on its tab, or outside on free paper with a leader line; labels share no point with each other,
 // with marks, or with the margin. O(n).
-LabelReport add_labels(Sheet& sheet, const std::vector<std::string>& seam_name, const Font& font,
+LabelReport add_labels(PageLayout& layout, const std::vector<std::string>& seam_name, const Font& font,
                        const LabelOptions& options);
 
 }  // namespace plico

@@ -60,11 +60,11 @@ struct Place {
 
 }  // namespace
 
-void add_marks(Sheet& sheet, const NetSides& sides, const std::vector<std::vector<std::vector<int>>>& outlines,
+void add_marks(PageLayout& layout, const NetSides& sides, const std::vector<std::vector<std::vector<int>>>& outlines,
                const MarkOptions& options) {
   const Unfolding& net = sides.net();
   std::vector<Place> place(net.sheet.num_edges());
-  for (PlacedPart& part : sheet.parts)
+  for (PlacedPart& part : layout.parts)
     for (const PlacedPanel& panel : part.panels)
       for (int i = 0; i < static_cast<int>(panel.edges.size()); ++i)
         if (!sides.is_fold(panel.edges[i])) place[panel.edges[i]] = {&part, &panel, i};

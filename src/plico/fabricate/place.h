@@ -5,7 +5,7 @@
 
 #include "plico/base/run.h"
 #include "plico/fabricate/page.h"
-#include "plico/fold/sheet.h"
+#include "plico/fold/page_layout.h"
 
 namespace plico {
 

@@ -122,7 +122,7 @@ class Arranger {
       if (round == kMostRounds)
         throw InvalidInput("pattern/tangled", "lines lie so close together that splitting them comes to no end",
                            near(points_[pieces_[0].a]), "join line ends over a smaller distance");
-    make_sheet();
+    lay_out_pages();
     return std::move(out_);
   }
 
@@ -247,7 +247,7 @@ class Arranger {
     if (out_.conflicts++ == 0) out_.conflict_at = loser.place;
   }
 
-  void make_sheet() {
+  void lay_out_pages() {
     std::vector<int> number(points_.size(), -1);
     CreasePattern& sheet = out_.sheet;
     const auto vertex = [&](int p) {

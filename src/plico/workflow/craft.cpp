@@ -7,11 +7,11 @@
 
 #include "plico/base/error.h"
 #include "plico/base/version.h"
-#include "plico/io/dxf.h"
-#include "plico/io/fold.h"
-#include "plico/io/pdf.h"
-#include "plico/io/svg.h"
-#include "plico/io/viewer.h"
+#include "plico/io/motion/viewer.h"
+#include "plico/io/page/dxf.h"
+#include "plico/io/page/pdf.h"
+#include "plico/io/page/svg.h"
+#include "plico/io/pattern/fold.h"
 #include "plico/mesh/measures.h"
 
 namespace plico {
@@ -95,7 +95,7 @@ std::string page_text(const CraftOptions& options, const CraftResult& result, co
 void add_pages(const CraftOptions& options, CraftResult& result) {
   DrawOptions how = options.draw;
   if (how.title.empty()) how.title = options.name;
-  const std::vector<Drawing> pages = draw(result.sheet.sheet, how);
+  const std::vector<Drawing> pages = draw(result.layout.layout, how);
   result.files.push_back({options.name + ".pdf", write_pdf(pages, how.title, fmt::format("plico {}", version()))});
   for (std::size_t i = 0; i < pages.size(); ++i) {
     const std::string stem = pages.size() == 1 ? options.name : fmt::format("{}-{}", options.name, i + 1);
@@ -119,10 +119,10 @@ CraftResult craft(const Mesh& mesh, const CraftOptions& options, const Run& run)
   if (result.motion && !result.proven() && run.over()) result.ending = run.ending();
   if (result.motion) result.motion_kind = kind_of(result.motion->method);
   run.report("laying out pages", 0);
-  SheetOptions sheet = options.sheet;
-  sheet.size.fill_page = true;
-  result.sheet = make_sheet(result.net, folded_shape(mesh), sheet);
-  result.sheet_verdict = verify_sheet(result.sheet.sheet);
+  LayoutOptions layout = options.layout;
+  layout.size.fill_page = true;
+  result.layout = lay_out_pages(result.net, folded_shape(mesh), layout);
+  result.layout_verdict = verify_layout(result.layout.layout);
   add_pages(options, result);
   result.files.push_back({options.name + ".fold", fold_text(mesh, options, result)});
   const nlohmann::json report = craft_report(mesh, result);
@@ -132,7 +132,7 @@ CraftResult craft(const Mesh& mesh, const CraftOptions& options, const Run& run)
 }
 
 nlohmann::json craft_report(const Mesh& mesh, const CraftResult& result) {
-  const SheetReport& sheet = result.sheet.report;
+  const LayoutReport& layout = result.layout.report;
   nlohmann::json report = {
       {"faces", mesh.num_faces()},
       {"components", components(mesh).count},
@@ -140,13 +140,13 @@ nlohmann::json craft_report(const Mesh& mesh, const CraftResult& result) {
       {"parts", result.verdict.parts},
       {"net_verified", result.verdict.valid()},
       {"overlaps", result.verdict.overlaps.count},
-      {"pages", sheet.pages},
-      {"size_mm", {sheet.final_size.x(), sheet.final_size.y(), sheet.final_size.z()}},
-      {"scale_mm_per_unit", sheet.scale},
-      {"fill_ratio", sheet.fill_ratio},
-      {"tabs", sheet.tabs.tabs.size()},
-      {"seams_without_tab", sheet.tabs.omitted + sheet.tabs.short_seams},
-      {"pages_verified", result.sheet_verdict.sound()},
+      {"pages", layout.pages},
+      {"size_mm", {layout.final_size.x(), layout.final_size.y(), layout.final_size.z()}},
+      {"scale_mm_per_unit", layout.scale},
+      {"fill_ratio", layout.fill_ratio},
+      {"tabs", layout.tabs.tabs.size()},
+      {"seams_without_tab", layout.tabs.omitted + layout.tabs.short_seams},
+      {"pages_verified", result.layout_verdict.sound()},
   };
   if (result.motion)
     report["motion"] = {{"kind", result.motion_kind},

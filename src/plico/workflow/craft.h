@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "plico/fabricate/fabricate.h"
-#include "plico/io/drawing.h"
-#include "plico/verify/sheet.h"
+#include "plico/io/page/drawing.h"
+#include "plico/verify/page_layout.h"
 #include "plico/workflow/foldable_net.h"
 #include "plico/workflow/plan_motion.h"
 #include "plico/workflow/unfold_mesh.h"
@@ -25,7 +25,7 @@ struct CraftOptions {
   long foldable_steps = 60'000;
   double planning_seconds = 10;
   UnfoldOptions unfold;
-  SheetOptions sheet;
+  LayoutOptions layout;
   DrawOptions draw;
 };
 
@@ -41,14 +41,14 @@ struct CraftResult {
   NetVerdict verdict;
   std::optional<Motion> motion;  // the best that was found, proven or not; none for a net of one panel
   std::string motion_kind;       // "linear", "uniform", "planned"; empty without a motion
-  SheetResult sheet;
-  SheetVerdict sheet_verdict;
+  LayoutResult layout;
+  LayoutVerdict layout_verdict;
   // NAME.pdf, NAME.svg (NAME-1.svg, ... for several pages), NAME.dxf, NAME.fold (with the motion), index.html,
   // report.json
   std::vector<CraftFile> files;
 
   bool proven() const { return motion && motion->proof.verdict == PathVerdict::Free; }
-  bool sound() const { return verdict.valid() && sheet_verdict.sound(); }
+  bool sound() const { return verdict.valid() && layout_verdict.sound(); }
 };
 
 CraftResult craft(const Mesh& mesh, const CraftOptions& options = {}, const Run& run = {});

@@ -4,7 +4,7 @@
 
 #include "mesh_samples.h"
 #include "plico/base/error.h"
-#include "plico/mesh/named_shapes.h"
+#include "plico/shapes/named_shapes.h"
 #include "plico/unfold/by_component.h"
 #include "plico/unfold/search.h"
 #include "plico/verify/net.h"

@@ -12,8 +12,8 @@ namespace plico {
 namespace {
 
 // Waypoints at equal times whose configurations are the goals of `sheet(share)`, share from `from` to 1.
-template <class Sheet>
-FoldingPath closed_form(Sheet sheet, int steps, double from = 0) {
+template <class PageLayout>
+FoldingPath closed_form(PageLayout sheet, int steps, double from = 0) {
   FoldingPath path;
   for (int k = 0; k <= steps; ++k) {
     const double share = static_cast<double>(k) / steps;

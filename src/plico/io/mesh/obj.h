@@ -1,0 +1,17 @@
+// Wavefront OBJ: `v` and `f` lines; everything else (normals, texture, groups, materials, lines) is passed over.
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "plico/io/mesh/mesh_source.h"
+
+namespace plico {
+
+// Indices count from 1, or backwards from the last vertex when negative; polygons of any size. Throws InvalidInput with
+// "name:line" for a malformed line or an index without a vertex. O(bytes).
+MeshSource read_obj(std::string_view bytes, const std::string& name = "input.obj");
+
+// Shortest numbers that read back as the same doubles. O(corners).
+std::string write_obj(const PolygonSoup& soup);
+
+}  // namespace plico

@@ -1,0 +1,142 @@
+#include "plico/io/motion/viewer.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "plico/base/error.h"
+#include "plico/geom/polygon.h"
+#include "plico/io/motion/panel_joints.h"
+
+namespace plico {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kTemplate =
+#include "viewer_template.inc"
+    ;
+constexpr std::string_view kDataMark = "@DATA@";
+
+Json list(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+void add_panels(Json& data, const Linkage& linkage) {
+  data["panels"] = data["triangles"] = Json::array();
+  for (const auto& outline : linkage.panels) {
+    Json coordinates = Json::array(), corners = Json::array();
+    std::vector<Vec2> flat_outline;
+    for (const Vec3& p : outline) {
+      coordinates.push_back(p.x());
+      coordinates.push_back(p.y());
+      flat_outline.push_back(p.head<2>());
+    }
+    for (const auto& triangle : triangulate(flat_outline))
+      for (int corner : triangle) corners.push_back(corner);
+    data["panels"].push_back(std::move(coordinates));
+    data["triangles"].push_back(std::move(corners));
+  }
+}
+
+void add_tree(Json& data, const Linkage& linkage) {
+  data["hinges"] = Json::array();
+  for (const Hinge& hinge : linkage.hinges)
+    data["hinges"].push_back({{"left", hinge.left},
+                              {"right", hinge.right},
+                              {"from", list(hinge.from)},
+                              {"to", list(hinge.to)},
+                              {"target", hinge.target}});
+  data["order"] = linkage.order;
+  data["parentPanel"] = linkage.parent_panel;
+  data["parentHinge"] = linkage.parent_hinge;
+  data["seams"] = Json::array();
+  for (const Linkage::Seam& seam : linkage.seams)
+    data["seams"].push_back({seam.panel_a, seam.side_a, seam.panel_b, seam.side_b});
+}
+
+void add_motion(Json& data, const ViewerInput& input) {
+  const FoldingPath path = input.path ? *input.path : linear_path(input.linkage);
+  for (const Waypoint& waypoint : path.waypoints)
+    if (waypoint.config.size() != input.linkage.num_hinges())
+      throw InvalidInput("viewer/path", fmt::format("a waypoint has {} fold angles for {} hinges",
+                                                    waypoint.config.size(), input.linkage.num_hinges()));
+  data["keys"] = Json::array();
+  for (int h = 0; h < input.linkage.num_hinges(); ++h) {
+    Json times = Json::array(), angles = Json::array();
+    for (const AngleKey& key : angle_keys(path, h)) {
+      times.push_back(key.time);
+      angles.push_back(key.angle);
+    }
+    data["keys"].push_back({{"times", std::move(times)}, {"angles", std::move(angles)}});
+  }
+  data["motion"] = input.motion;
+  data["start"] = std::clamp(input.start, 0.0, 1.0);
+}
+
+const char* word(ProofStatus status) {
+  switch (status) {
+    case ProofStatus::Unchecked:
+      return "unchecked";
+    case ProofStatus::Proven:
+      return "proven";
+    case ProofStatus::Collides:
+      return "collides";
+    case ProofStatus::Undecided:
+      return "undecided";
+  }
+  PLICO_ASSERT(false);
+  return "";
+}
+
+void add_proof(Json& data, const ViewerInput& input) {
+  data["proof"] = {{"status", word(input.proof)}, {"note", input.proof_note}};
+  data["collisions"] = Json::array();
+  const int n = input.linkage.num_panels();
+  for (const ViewerCollision& c : input.collisions) {
+    if (c.panel_a < 0 || c.panel_a >= n || c.panel_b < 0 || c.panel_b >= n)
+      throw InvalidInput("viewer/collision", fmt::format("collision of panels {} and {}, but there are {} panels",
+                                                         c.panel_a, c.panel_b, n));
+    data["collisions"].push_back({{"begin", c.begin}, {"end", c.end}, {"panels", {c.panel_a, c.panel_b}}});
+  }
+}
+
+void add_report(Json& data, const ViewerInput& input) {
+  Json report;
+  if (!input.report.empty()) {
+    report = Json::parse(input.report, nullptr, false);
+    if (!report.is_object()) throw InvalidInput("viewer/report", "the report is not a JSON object");
+  }
+  data["report"] = std::move(report);
+  data["links"] = Json::array();
+  for (const auto& [label, address] : input.links) data["links"].push_back({{"label", label}, {"href", address}});
+}
+
+// A "<" could end the script element that holds the data.
+std::string safe_in_html(const std::string& json) {
+  std::string safe;
+  for (char c : json) {
+    if (c == '<')
+      safe += "\\u003c";
+    else
+      safe += c;
+  }
+  return safe;
+}
+
+}  // namespace
+
+std::string viewer_page(const ViewerInput& input) {
+  if (input.linkage.num_panels() == 0) throw InvalidInput("linkage/empty", "a linkage without panels cannot be shown");
+  Json data = {{"title", input.title}, {"unit", input.unit}, {"thickness", input.linkage.thickness}};
+  add_panels(data, input.linkage);
+  add_tree(data, input.linkage);
+  add_motion(data, input);
+  add_proof(data, input);
+  add_report(data, input);
+  std::string page(kTemplate);
+  const std::size_t at = page.find(kDataMark);
+  PLICO_ASSERT(at != std::string::npos);
+  return page.replace(at, kDataMark.size(),
+                      safe_in_html(data.dump(-1, ' ', false, nlohmann::detail::error_handler_t::replace)));
+}
+
+}  // namespace plico

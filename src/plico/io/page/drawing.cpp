@@ -1,0 +1,191 @@
+#include "plico/io/page/drawing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "plico/fabricate/place.h"
+#include "plico/font/font.h"
+
+namespace plico {
+namespace {
+
+using Color = std::array<double, 3>;
+
+constexpr Color rgb(int hex) { return {(hex >> 16 & 255) / 255.0, (hex >> 8 & 255) / 255.0, (hex & 255) / 255.0}; }
+
+// The pens of a style; numbers are indices into Drawing::pens.
+enum PenIndex { kCut, kMountain, kValley, kFlat, kMark, kLeader, kTabFill, kText, kFaint };
+
+std::vector<Pen> pens(DrawStyle style) {
+  const std::vector<double> dash_dot{2.2, 0.7, 0.25, 0.7}, dash{1.6, 1.0}, dots{0.3, 0.9};
+  switch (style) {
+    case DrawStyle::Paper:
+      return {{rgb(0x000000), 0.25},        {rgb(0xb3361e), 0.18, dash_dot},
+              {rgb(0x1d5fa8), 0.18, dash},  {rgb(0x9a9a9a), 0.12, dots},
+              {rgb(0x222222), 0.25},        {rgb(0x777777), 0.12},
+              {rgb(0xececec), 0, {}, true}, {rgb(0x333333), 0.1},
+              {rgb(0x777777), 0.12}};
+    case DrawStyle::Origami:
+      return {{rgb(0x000000), 0.3},         {rgb(0xe00000), 0.3, dash_dot}, {rgb(0x0000e0), 0.3, dash},
+              {rgb(0xaaaaaa), 0.15, dots},  {rgb(0x222222), 0.25},          {rgb(0x777777), 0.12},
+              {rgb(0xf4f4f4), 0, {}, true}, {rgb(0x333333), 0.1},           {rgb(0x777777), 0.12}};
+    case DrawStyle::Laser:
+      return {{rgb(0xff0000), 0.025},       {rgb(0x0000ff), 0.025, dash_dot}, {rgb(0x00a0ff), 0.025, dash},
+              {rgb(0x00c000), 0.025, dots}, {rgb(0x000000), 0.025},           {rgb(0x000000), 0.025},
+              {rgb(0xffffff), 0},           {rgb(0x000000), 0.025},           {rgb(0x000000), 0.025}};
+    case DrawStyle::Bw:
+      break;
+  }
+  return {{rgb(0x000000), 0.3},        {rgb(0x000000), 0.18, dash_dot},
+          {rgb(0x555555), 0.18, dash}, {rgb(0x888888), 0.12, dots},
+          {rgb(0x000000), 0.25},       {rgb(0x555555), 0.1},
+          {rgb(0xffffff), 0},          {rgb(0x000000), 0.1},
+          {rgb(0x555555), 0.12}};
+}
+
+PenIndex pen_of(Assignment fold) {
+  return fold == Assignment::Mountain ? kMountain : fold == Assignment::Valley ? kValley : kFlat;
+}
+
+Layer layer_of(Assignment fold) {
+  return fold == Assignment::Mountain ? Layer::Mountain : fold == Assignment::Valley ? Layer::Valley : Layer::Mark;
+}
+
+// Draws one page.
+class Drafter {
+ public:
+  Drafter(const PageLayout& layout, int page, const DrawOptions& options, const Font& font)
+      : layout_(layout), page_(layout.pages[page]), number_(page), options_(options), font_(font) {
+    drawing_.size = page_.size;
+    drawing_.title = options.title;
+    drawing_.pens = pens(options.style);
+  }
+
+  Drawing run() {
+    for (const PlacedPart& part : layout_.parts)
+      if (part.page == number_) draw_part(part);
+    if (page_.key_form != KeyForm::None) draw_key();
+    return std::move(drawing_);
+  }
+
+ private:
+  void line(Layer layer, PenIndex pen, const Vec2& a, const Vec2& b) {
+    drawing_.strokes.push_back({layer, {a, b}, false, pen});
+  }
+
+  void draw_part(const PlacedPart& part) {
+    if (drawing_.pens[kTabFill].fill)
+      for (const Tab& tab : part.tabs)
+        drawing_.strokes.push_back({Layer::Mark, {tab.corners.begin(), tab.corners.end()}, true, kTabFill});
+    for (const FoldLine& fold : part.folds)
+      if (fold.assignment != Assignment::Flat || options_.flat_creases)
+        line(layer_of(fold.assignment), pen_of(fold.assignment), fold.a, fold.b);
+    for (const Tab& tab : part.tabs) {
+      const Assignment fold = tab.fold_angle > 0 ? Assignment::Valley : Assignment::Mountain;
+      line(layer_of(fold), pen_of(fold), tab.corners[0], tab.corners[1]);
+    }
+    for (const Mark& mark : part.marks) drawing_.strokes.push_back({Layer::Mark, mark.points, mark.closed, kMark});
+    for (const Label& label : part.labels) {
+      if (!label.leader.empty()) drawing_.strokes.push_back({Layer::Mark, label.leader, false, kLeader});
+      write_centered(label.text, label.center, label.angle, label.size, kText);
+    }
+    for (const auto& outline : part.outlines) drawing_.strokes.push_back({Layer::Cut, outline, true, kCut, part.name});
+  }
+
+  void write_centered(const std::string& text, const Vec2& center, double angle, double size, PenIndex pen) {
+    const Vec2 back(-font_.width(text, size) / 2, -Font::cap_height(size) / 2);
+    drawing_.texts.push_back({text, center + Eigen::Rotation2Dd(angle) * back, angle, size, pen});
+  }
+
+  // Places of the key are in its own frame: origin at the lower left, x along the ruler.
+  Vec2 in_key(double x, double y) const {
+    if (page_.key_upright) return page_.key_at + Vec2(x, y);
+    return page_.key_at + Vec2(key_size(page_.key_form, page_.ruler).y() - y, x);
+  }
+  void key_line(PenIndex pen, Layer layer, double x0, double y0, double x1, double y1) {
+    line(layer, pen, in_key(x0, y0), in_key(x1, y1));
+  }
+  void key_text(const std::string& text, double x, double y, double pt) {
+    drawing_.texts.push_back({text, in_key(x, y), page_.key_upright ? 0 : kPi / 2, pt * kMillimetresPerPoint, kText});
+  }
+
+  void draw_key() {
+    draw_ruler();
+    if (page_.key_form == KeyForm::Row) draw_legend(page_.ruler + 11, 5.6, page_.ruler + 11, 1.2, 64);
+    if (page_.key_form == KeyForm::Stack) draw_legend(1, 17.5, 1, 11.5, page_.ruler);
+  }
+
+  void draw_ruler() {
+    const double x = 1, y = 4.2;
+    key_line(kFaint, Layer::Mark, x, y, x + page_.ruler, y);
+    for (int mm = 0; mm <= static_cast<int>(page_.ruler); mm += 5)
+      key_line(kFaint, Layer::Mark, x + mm, y, x + mm, y + (mm % 50 == 0 ? 2.6 : mm % 10 == 0 ? 1.8 : 1.0));
+    const std::string end = fmt::format("{:g} mm", page_.ruler), hint = "print at 100 %";
+    const double pt = 6, size = pt * kMillimetresPerPoint;
+    key_text("0", x, 1.2, pt);
+    key_text(end, x + page_.ruler - font_.width(end, size), 1.2, pt);
+    if (page_.ruler >= 50) key_text(hint, x + (page_.ruler - font_.width(hint, size)) / 2, 1.2, pt);
+  }
+
+  void draw_legend(double x, double y, double title_x, double title_y, double room) {
+    const double pt = 6, size = pt * kMillimetresPerPoint;
+    // A laser goes by colour, so a legend must not use the colours of cuts and scores.
+    const bool in_words = options_.style == DrawStyle::Laser;
+    const std::tuple<const char*, const char*, PenIndex> rows[] = {{"cut", "red: cut", kCut},
+                                                                   {"mountain fold", "blue: mountain", kMountain},
+                                                                   {"valley fold", "light blue: valley", kValley}};
+    for (const auto& [text, words, pen] : rows) {
+      if (!in_words) key_line(pen, Layer::Mark, x, y + 0.8, x + 7, y + 0.8);
+      key_text(in_words ? words : text, in_words ? x : x + 8, y, pt);
+      x += in_words ? font_.width(words, size) + 4 : 8 + font_.width(text, size) + 4;
+    }
+    std::string name = options_.title, title = page_title(name);
+    while (!name.empty() && font_.width(title, size) > room) {  // the name gives way, size and page number stay
+      while ((name.back() & 0xC0) == 0x80) name.pop_back();     // the rest of a letter of several bytes
+      name.pop_back();
+      title = page_title(name.empty() ? "" : name + "…");
+    }
+    key_text(title, title_x, title_y, pt);
+  }
+
+  std::string page_title(const std::string& model) const {
+    const std::string name = model.empty() ? "" : model + " · ";
+    const Vec3& s = layout_.folded_size;
+    return fmt::format("{}{:.0f} × {:.0f} × {:.0f} mm · page {} of {}{}", name, s.x(), s.y(), s.z(), number_ + 1,
+                       layout_.pages.size(), layout_.has_taped_seams ? " · ° tape" : "");
+  }
+
+  const PageLayout& layout_;
+  const Page& page_;
+  const int number_;
+  const DrawOptions& options_;
+  const Font& font_;
+  Drawing drawing_;
+};
+
+}  // namespace
+
+std::string_view name(Layer layer) {
+  constexpr std::string_view kNames[] = {"CUT", "MOUNTAIN", "VALLEY", "MARK", "TEXT"};
+  return kNames[static_cast<int>(layer)];
+}
+
+std::vector<Drawing> draw(const PageLayout& layout, const DrawOptions& options) {
+  const Font font;
+  std::vector<Drawing> drawings;
+  for (int page = 0; page < static_cast<int>(layout.pages.size()); ++page)
+    drawings.push_back(Drafter(layout, page, options, font).run());
+  return drawings;
+}
+
+std::string decimal(double x) {
+  std::string text = fmt::format("{:.7f}", x);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text == "-0" ? "0" : text;
+}
+
+}  // namespace plico

@@ -1,0 +1,67 @@
+// A layout as strokes and texts in layers: what SVG, PDF and DXF all draw, so that they cannot disagree.
+#pragma once
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "plico/fold/page_layout.h"
+
+namespace plico {
+
+// The layers of every printed file.
+enum class Layer { Cut, Mountain, Valley, Mark, Text };
+constexpr std::array<Layer, 5> kLayers{Layer::Cut, Layer::Mountain, Layer::Valley, Layer::Mark, Layer::Text};
+// Marks with the fill of tabs lie at the bottom, cuts on top; a machine that follows the file cuts last.
+constexpr std::array<Layer, 5> kDrawOrder{Layer::Mark, Layer::Text, Layer::Valley, Layer::Mountain, Layer::Cut};
+std::string_view name(Layer layer);  // "CUT", "MOUNTAIN", "VALLEY", "MARK", "TEXT"
+
+struct Pen {
+  std::array<double, 3> color{0, 0, 0};  // red, green, blue in [0, 1]
+  double width = 0.2;                    // millimetres; 0 draws no line
+  std::vector<double> dash{};            // millimetres on, off, on, off, ...; empty is solid
+  bool fill = false;                     // filled with `color` instead
+};
+
+struct Stroke {
+  Layer layer = Layer::Cut;
+  std::vector<Vec2> points;
+  bool closed = false;
+  int pen = 0;            // of the drawing's pens
+  std::string part = {};  // name of the part whose outline this is, else empty
+};
+
+struct Text {
+  std::string text;
+  Vec2 start;        // of the baseline
+  double angle = 0;  // of the baseline, radians
+  double size = 0;   // em, millimetres
+  int pen = 0;       // its color
+};
+
+// One page; origin at the lower left corner, y upwards, millimetres.
+struct Drawing {
+  Vec2 size = Vec2::Zero();
+  std::string title;
+  std::vector<Pen> pens;
+  std::vector<Stroke> strokes;
+  std::vector<Text> texts;  // all in layer Text
+};
+
+// Paper: for scissors. Origami: mountain red, valley blue. Laser: red cuts, blue and cyan scores, black marks.
+// Bw: for black printers.
+enum class DrawStyle { Paper, Origami, Laser, Bw };
+
+struct DrawOptions {
+  DrawStyle style = DrawStyle::Paper;
+  bool flat_creases = false;  // show folds that stay flat
+  std::string title;          // of the model, shown beside the legend
+};
+
+// One drawing a page. Every part is one closed stroke in layer Cut (more when it has holes), tabs included.
+std::vector<Drawing> draw(const PageLayout& layout, const DrawOptions& options = {});
+
+// Coordinates in files: rounded to 1e-7, without trailing zeros; the same text for the same double.
+std::string decimal(double x);
+
+}  // namespace plico

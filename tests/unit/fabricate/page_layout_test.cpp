@@ -1,0 +1,231 @@
+#include <gmock/gmock.h>
+
+#include <set>
+
+#include "fabricate_samples.h"
+#include "plico/base/error.h"
+#include "plico/fabricate/fabricate.h"
+#include "plico/geom/polygon.h"
+#include "plico/verify/page_layout.h"
+
+namespace plico {
+namespace {
+
+using samples::cube;
+using samples::net_of;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+LayoutOptions of_longest(double mm) {
+  LayoutOptions options;
+  options.size.longest = mm;
+  return options;
+}
+
+LayoutResult cube_sheet(const LayoutOptions& options) {
+  const Mesh mesh = cube();
+  return lay_out_pages(net_of(mesh), folded_shape(mesh), options);
+}
+
+TEST(PageLayout, EveryShapeIsSoundAtTwoSizes) {
+  for (const auto& [name, mesh] : samples::shapes()) {
+    SCOPED_TRACE(name);
+    const Unfolding net = net_of(mesh);
+    const FoldedShape shape = folded_shape(mesh);
+    for (double longest : {60.0, 140.0}) {
+      LayoutOptions options = of_longest(longest);
+      options.split = true;
+      const LayoutResult result = lay_out_pages(net, shape, options);
+      EXPECT_THAT(verify_layout(result.layout).problems, IsEmpty());
+      EXPECT_GT(result.report.fill_ratio, 0);
+      EXPECT_LT(result.report.fill_ratio, 1);
+      std::size_t panels = 0;
+      for (const PlacedPart& part : result.layout.parts) panels += part.panels.size();
+      EXPECT_EQ(static_cast<int>(panels), mesh.num_faces());
+    }
+  }
+}
+
+TEST(PageLayout, TheCubeHasSevenTabsOfFullDepth) {
+  const LayoutReport report = cube_sheet(of_longest(40)).report;
+  EXPECT_EQ(report.tabs.full, 7);
+  EXPECT_EQ(report.tabs.omitted, 0);
+  EXPECT_EQ(report.labels.placed, 14);
+}
+
+TEST(PageLayout, ASideHasTheAskedLength) {
+  const LayoutResult cube_37 = cube_sheet(of_longest(37));
+  for (const FoldLine& fold : cube_37.layout.parts[0].folds) EXPECT_NEAR((fold.a - fold.b).norm(), 37, 1e-9);
+}
+
+TEST(PageLayout, HeightIsMeasuredAlongTheUpAxis) {
+  const Mesh mesh = samples::prism(samples::regular(4), 5);
+  LayoutOptions options;
+  options.size.height = 50;
+  options.size.up = 'z';
+  EXPECT_NEAR(lay_out_pages(net_of(mesh), folded_shape(mesh), options).report.scale, 10, 1e-9);
+  options.size.up = 'y';
+  options.size.height = 20;
+  EXPECT_NEAR(lay_out_pages(net_of(mesh), folded_shape(mesh), options).report.scale, 10, 1e-9);
+}
+
+TEST(PageLayout, TwoSizesContradictEachOther) {
+  LayoutOptions options = of_longest(40);
+  options.size.width = 30;
+  EXPECT_THROW(cube_sheet(options), InvalidOption);
+}
+
+TEST(PageLayout, BothEdgesOfASeamHaveTheSameIdAndNoOtherHas) {
+  const Mesh mesh = samples::torus(6, 4);
+  const Unfolding net = net_of(mesh);
+  const LayoutResult result = lay_out_pages(net, folded_shape(mesh), of_longest(110));
+  ASSERT_EQ(result.report.labels.omitted, 0);
+  std::multiset<std::string> ids;
+  for (const PlacedPart& part : result.layout.parts)
+    for (const Label& label : part.labels) ids.insert(label.text);
+  for (const std::string& id : ids) EXPECT_EQ(ids.count(id), 2u) << id;
+  EXPECT_EQ(static_cast<int>(ids.size()), result.report.labels.placed + result.report.labels.leaders);
+}
+
+TEST(PageLayout, APartTooLargeNamesTheSizeThatFits) {
+  try {
+    cube_sheet(of_longest(120));
+    FAIL() << "a cube net of 120 mm sides cannot fit A4";
+  } catch (const InvalidInput& error) {
+    EXPECT_EQ(error.code(), "fabricate/part-too-large");
+    const std::string& hint = error.suggestion();
+    ASSERT_THAT(hint, HasSubstr("--longest "));
+    const double fits = std::stod(hint.substr(hint.find("--longest ") + 10));
+    EXPECT_GT(fits, 50);
+    EXPECT_NO_THROW(cube_sheet(of_longest(fits)));
+  }
+}
+
+TEST(PageLayout, SplittingKeepsEveryPanelAndMatesTheNewSeams) {
+  LayoutOptions options = of_longest(120);
+  options.split = true;
+  const LayoutResult result = cube_sheet(options);
+  EXPECT_GT(result.report.parts, 1);
+  EXPECT_EQ(result.report.folds_cut, result.report.parts - 1);
+  EXPECT_EQ(result.report.labels.placed, 2 * (7 + result.report.folds_cut));
+  EXPECT_TRUE(verify_layout(result.layout).sound());
+}
+
+TEST(PageLayout, APanelTooLargeIsAnErrorEvenWhenSplitting) {
+  LayoutOptions options = of_longest(250);
+  options.split = true;
+  try {
+    cube_sheet(options);
+    FAIL();
+  } catch (const InvalidInput& error) {
+    EXPECT_EQ(error.code(), "fabricate/panel-too-large");
+  }
+}
+
+TEST(PageLayout, FlatFoldsAreMarkedFlat) {
+  const Mesh mesh = samples::mesh_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 1}},
+                                     {{0, 2, 1}, {0, 3, 2}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}});
+  int flat = 0;
+  FoldForest forest{std::vector<char>(mesh.num_edges(), 0)};
+  for (EdgeId e : mesh.edges())  // a tree that keeps the diagonal of the base
+    forest.is_fold[e] = mesh.face(mesh.halfedge(e)) == 0 || mesh.face(mesh.halfedge(e)) == 1;
+  const LayoutResult result = lay_out_pages(lay_flat(mesh, forest), folded_shape(mesh), of_longest(60));
+  for (const FoldLine& fold : result.layout.parts[0].folds) flat += fold.assignment == Assignment::Flat;
+  EXPECT_EQ(flat, 1);
+}
+
+TEST(PageLayout, EveryPageHasALegendAndARulerOfAHundredMillimetres) {
+  LayoutOptions options = of_longest(110);
+  options.split = true;
+  const LayoutResult result = cube_sheet(options);
+  for (const Page& page : result.layout.pages) {
+    EXPECT_NE(page.key_form, KeyForm::None);
+    EXPECT_EQ(page.ruler, 100);
+  }
+}
+
+TEST(Tabs, RulesForTheSide) {
+  const auto tabs = [](TabSide side) {
+    LayoutOptions options = of_longest(40);
+    options.tabs.side = side;
+    return cube_sheet(options).report.tabs.tabs.size();
+  };
+  EXPECT_EQ(tabs(TabSide::None), 0u);
+  EXPECT_EQ(tabs(TabSide::First), 7u);
+  EXPECT_EQ(tabs(TabSide::Second), 7u);
+  EXPECT_EQ(tabs(TabSide::Alternate), 7u);
+  EXPECT_GT(tabs(TabSide::Both), 7u);
+}
+
+TEST(Tabs, VeryShortEdgesHaveNone) {
+  const LayoutReport report = cube_sheet(of_longest(2.5)).report;
+  EXPECT_EQ(report.tabs.tabs.size(), 0u);
+  EXPECT_EQ(report.tabs.short_seams, 7);
+}
+
+TEST(Tabs, SeamsWithoutATabAreMarkedOnBothEdges) {
+  const Mesh mesh = cube();
+  LayoutOptions options = of_longest(40);
+  options.tabs.shortest_edge = 41;
+  const LayoutResult result = lay_out_pages(net_of(mesh), folded_shape(mesh), options);
+  EXPECT_TRUE(result.layout.has_taped_seams);
+  for (const Label& label : result.layout.parts[0].labels) EXPECT_TRUE(label.text.ends_with("°")) << label.text;
+  EXPECT_FALSE(cube_sheet(of_longest(40)).layout.has_taped_seams);
+}
+
+TEST(Tabs, OptionsOutOfRangeAreNamed) {
+  LayoutOptions options = of_longest(40);
+  options.tabs.angle = radians(85);
+  EXPECT_THROW(cube_sheet(options), InvalidOption);
+  options.tabs.angle = radians(45);
+  options.tabs.depth = 0;
+  EXPECT_THROW(cube_sheet(options), InvalidOption);
+}
+
+TEST(Page, SizesByNameAndByNumbers) {
+  EXPECT_EQ(paper_size("A4"), Vec2(210, 297));
+  EXPECT_EQ(paper_size("letter"), Vec2(215.9, 279.4));
+  EXPECT_NEAR((paper_size("12x18in") - Vec2(304.8, 457.2)).norm(), 0, 1e-9);
+  EXPECT_THROW(paper_size("napkin"), InvalidOption);
+  EXPECT_THROW(paper_size("x20"), InvalidOption);
+}
+
+TEST(Labels, PartNamesGoOnAfterZ) {
+  EXPECT_EQ(part_name(0), "A");
+  EXPECT_EQ(part_name(25), "Z");
+  EXPECT_EQ(part_name(26), "AA");
+  EXPECT_EQ(part_name(27 * 26 - 1), "ZZ");
+}
+
+TEST(Marks, EverySeamHasTwoStrokesAndEveryPartASquare) {
+  LayoutOptions options = of_longest(40);
+  options.marks = {true, true};
+  const LayoutResult result = cube_sheet(options);
+  int squares = 0, strokes = 0;
+  for (const Mark& mark : result.layout.parts[0].marks) ++(mark.closed ? squares : strokes);
+  EXPECT_EQ(squares, 1);
+  EXPECT_EQ(strokes, 14);
+}
+
+// The judge itself must see faults.
+TEST(VerifySheet, SeesPanelsThatOverlapTabsThatStickOutAndPartsOffThePage) {
+  const LayoutResult result = cube_sheet(of_longest(40));
+  PageLayout layout = result.layout;
+  layout.parts.push_back(layout.parts[0]);
+  EXPECT_GE(verify_layout(layout).overlaps, 6);
+
+  layout = result.layout;
+  Tab& tab = layout.parts[0].tabs[0];
+  const Vec2 out = tab.corners[3] - tab.corners[0];
+  tab.corners[2] += 10 * out;
+  tab.corners[3] += 10 * out;
+  EXPECT_GE(verify_layout(layout).misfit_tabs, 1);
+
+  layout = result.layout;
+  layout.parts[0].panels[0].corners[0] = Vec2(3, 4);
+  EXPECT_GE(verify_layout(layout).off_page, 1);
+  EXPECT_GE(verify_layout(layout).open_outlines, 1);
+}
+
+}  // namespace
+}  // namespace plico
