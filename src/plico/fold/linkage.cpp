@@ -1,6 +1,7 @@
 #include "plico/fold/linkage.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "plico/base/error.h"
@@ -111,6 +112,22 @@ Linkage make_linkage(const CreasePattern& sheet, const std::vector<int>& mate, i
   }
   grow_trees(linkage, base);
   add_seams(linkage, sheet, mate);
+  return linkage;
+}
+
+Linkage thickened(Linkage linkage, double thickness, const std::vector<double>& offset) {
+  if (!(thickness >= 0) || !std::isfinite(thickness))
+    throw InvalidOption(fmt::format("thickness = {} must be a finite length, at least 0", thickness));
+  if (!offset.empty() && offset.size() != linkage.hinges.size())
+    throw InvalidOption(fmt::format("{} offsets for {} hinges", offset.size(), linkage.hinges.size()));
+  linkage.thickness = thickness;
+  for (std::size_t h = 0; h < linkage.hinges.size(); ++h) {
+    const double z = offset.empty() ? 0 : offset[h];
+    if (!(std::abs(z) <= thickness / 2))
+      throw InvalidOption(
+          fmt::format("offset {} of hinge {} must be in [-{}, {}]", z, h, thickness / 2, thickness / 2));
+    linkage.hinges[h].from.z() = linkage.hinges[h].to.z() = z;
+  }
   return linkage;
 }
 

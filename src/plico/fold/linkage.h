@@ -13,7 +13,7 @@ using Configuration = Eigen::VectorXd;
 
 struct Hinge {
   int left = -1, right = -1;      // panels: `left` lies left of from -> to, seen from the front
-  Vec3 from, to;                  // the axis in the flat state
+  Vec3 from, to;                  // the axis in the flat state; z is its offset from the mid-plane
   double target = 0;              // fold angle at the goal
   double low = -kPi, high = kPi;  // limits
 };
@@ -22,7 +22,7 @@ struct Linkage {
   std::vector<std::vector<Vec3>>
       panels;  // outlines in the flat state (z = 0), counter-clockwise seen from +z, the front
   std::vector<Hinge> hinges;
-  double thickness = 0;  // of every panel, units; 0 is a sheet
+  double thickness = 0;  // of every panel, units: a prism from -thickness / 2 to thickness / 2 in z; 0 is a sheet
 
   // The tree along which panels are placed, roots first: `order` lists the panels; parent_hinge[p] leads from
   // parent_panel[p] to p and is -1 for a root. A hinge outside the tree closes a loop.
@@ -44,6 +44,11 @@ struct Linkage {
 // `mate` (may be empty) has the glued edge of each edge or -1. The stationary panel of each part is the centre of its
 // tree (shortest chains), or `base` for the part that holds it. Breadth-first tree, ties by id. O(n log n).
 Linkage make_linkage(const CreasePattern& sheet, const std::vector<int>& mate = {}, int base = -1);
+
+// The same linkage with panels that are `thickness` thick, and the axis of each hinge (all in the mid-plane when empty)
+// moved by offset[h], which must lie within the panels: thickness / 2 is the front, -thickness / 2 the back. Throws
+// InvalidOption otherwise.
+Linkage thickened(Linkage linkage, double thickness, const std::vector<double>& offset = {});
 
 // The hinge of each sheet edge, -1 for edges that are not hinges; the inverse order of make_linkage.
 std::vector<int> hinge_of_edge(const CreasePattern& sheet);

@@ -46,6 +46,7 @@ CollisionChecker::CollisionChecker(const Linkage& linkage, const CollisionOption
 }
 
 void CollisionChecker::find_exempt_pairs() {
+  if (plates_.are_thick) return;
   for (const Hinge& hinge : linkage_.hinges) {
     if (!beside(linkage_.panels[hinge.left], hinge, 1) || !beside(linkage_.panels[hinge.right], hinge, -1)) continue;
     exempt_[hinge.left].push_back(hinge.right);
@@ -107,7 +108,7 @@ bool CollisionChecker::may_collide(int plate_a, int plate_b) const {
 bool CollisionChecker::penetrating(int plate_a, int plate_b) {
   ++num_pairs_tested_;
   const auto placed = [&](int i) {
-    return PlacedPlate{&corners_[plates_.first[i]], plates_.first[i + 1] - plates_.first[i], normals_[i]};
+    return PlacedPlate{&corners_[plates_.first[i]], plates_.num_sides(i), normals_[i], plates_.are_thick};
   };
   return penetrate(placed(plate_a), placed(plate_b), touch_);
 }

@@ -1,9 +1,10 @@
 // Which panels of a linkage penetrate each other at a configuration.
 //
-// Panels are thin plates shrunk by a clearance (motion/plates.h), so that neighbours, panels around a common vertex and
-// sides that close at the goal are not false alarms. Penetration is forbidden, touching is allowed, and panels that lie
-// on each other in one plane (folds of 180 degrees) touch. Two panels at a hinge collide only when it is turned beyond
-// 180 degrees, unless one of them reaches across the line of the hinge. Panels of different parts never collide: each
+// Panels are plates, thin or prisms, shrunk by a clearance (motion/plates.h), so that neighbours, panels around a
+// common vertex and sides that close at the goal are not false alarms. Penetration is forbidden, touching is allowed,
+// and panels that lie on each other in one plane (folds of 180 degrees) touch. Two panels at a hinge collide only when
+// it is turned beyond 180 degrees, unless one of them reaches across the line of the hinge; thick ones are looked at
+// like any two, since where the axis lies in their thickness decides. Panels of different parts never collide: each
 // part folds by itself.
 #pragma once
 #include <compare>

@@ -41,8 +41,12 @@ std::vector<Vec2> shrink(const std::vector<Vec2>& outline, double clearance) {
   return outline;
 }
 
-void add_plate(Plates& plates, int panel, const std::vector<Vec2>& corners) {
-  for (const Vec2& p : corners) plates.corners.push_back({p.x(), p.y(), 0});
+void add_plate(Plates& plates, int panel, const std::vector<Vec2>& corners, double thickness) {
+  const auto add = [&](double z) {
+    for (const Vec2& p : corners) plates.corners.push_back({p.x(), p.y(), z});
+  };
+  add(-thickness / 2);
+  if (plates.are_thick) add(thickness / 2);
   plates.first.push_back(static_cast<int>(plates.corners.size()));
   plates.panel.push_back(panel);
 }
@@ -53,14 +57,16 @@ Plates make_plates(const Linkage& linkage, double clearance) {
   if (!(clearance >= 0) || !std::isfinite(clearance))
     throw InvalidOption(fmt::format("clearance = {} must be a finite length, at least 0", clearance));
   Plates plates;
+  plates.are_thick = linkage.thickness > 0;
   for (int p = 0; p < linkage.num_panels(); ++p) {
     std::vector<Vec2> outline;
     for (const Vec3& corner : linkage.panels[p]) outline.push_back(corner.head<2>());
     outline = shrink(outline, clearance);
     if (is_convex(outline)) {
-      add_plate(plates, p, outline);
+      add_plate(plates, p, outline, linkage.thickness);
     } else {
-      for (const auto& [a, b, c] : triangulate(outline)) add_plate(plates, p, {outline[a], outline[b], outline[c]});
+      for (const auto& [a, b, c] : triangulate(outline))
+        add_plate(plates, p, {outline[a], outline[b], outline[c]}, linkage.thickness);
     }
     plates.first_of_panel.push_back(plates.size());
   }

@@ -41,6 +41,7 @@ LinkageMotion::LinkageMotion(const Linkage& linkage, const FoldingPath& path)
     for (const Vec3& corner : linkage.panels[p]) sum += corner;
     link.center = sum / static_cast<double>(linkage.panels[p].size());
     for (const Vec3& corner : linkage.panels[p]) link.radius = std::max(link.radius, (corner - link.center).norm());
+    link.radius = std::hypot(link.radius, linkage.thickness / 2);
     const int parent = link.parent = linkage.parent_panel[p];
     if (parent < 0) {
       link.pivot = link.center;

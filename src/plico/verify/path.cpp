@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <span>
 
 #include "plico/base/error.h"
 #include "plico/verify/proof_plates.h"
@@ -179,6 +180,10 @@ class Proof {
     place(plates_.corners[pair.b], at_end[b], frame(at_end), b_end_);
   }
 
+  Separation separate(std::span<const Vec3> a, std::span<const Vec3> b) const {
+    return plates_.are_thick ? separation_of_prisms(a, b) : separation(a, b);
+  }
+
   double least_lead(const Vec3& direction) const {
     return std::min(lead(a_start_, b_start_, direction), lead(a_end_, b_end_, direction));
   }
@@ -209,7 +214,7 @@ class Proof {
       return same_side(pair, start, end, pair.direction, false);
     middle(a_start_, a_end_, a_middle_);
     middle(b_start_, b_end_, b_middle_);
-    const Separation at_middle = separation(a_middle_, b_middle_);
+    const Separation at_middle = separate(a_middle_, b_middle_);
     pair.direction = at_middle.direction;
     if (-at_middle.value > stray + proof_.touch) {
       collide(pair, start, end, -at_middle.value);
@@ -247,7 +252,7 @@ class Proof {
 
   // Plates that are clear of each other when a contact begins tell its side; others have no side before `otherwise`.
   Vec3 side_at_start(const Vec3& otherwise) const {
-    const Separation now = separation(a_start_, b_start_);
+    const Separation now = separate(a_start_, b_start_);
     return now.value > proof_.rounding ? now.direction : otherwise;
   }
 
@@ -255,8 +260,8 @@ class Proof {
   // they lie flat on each other leave `side` as it was, so the depth is taken along their own direction, too.
   bool crossed(const Vec3& side) const {
     if (lead(a_end_, b_end_, side) >= -proof_.touch) return false;
-    if (std::abs(separation(a_start_, b_start_).value) > 2 * proof_.touch) return false;
-    const Vec3 at_end = separation(a_end_, b_end_).direction;
+    if (std::abs(separate(a_start_, b_start_).value) > 2 * proof_.touch) return false;
+    const Vec3 at_end = separate(a_end_, b_end_).direction;
     return at_end.dot(side) < 0 && lead(a_end_, b_end_, -at_end) < -proof_.touch;
   }
 
@@ -283,7 +288,7 @@ class Proof {
     Poses& poses = level(0).second;  // the end of the motion is not needed any more
     motion_.place(time, {}, poses);
     place(pair, poses, poses);
-    return -separation(a_start_, b_start_).value;
+    return -separate(a_start_, b_start_).value;
   }
 
   // The collision is certain in the middle; narrows down when it began by halving the time before.

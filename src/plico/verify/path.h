@@ -1,17 +1,17 @@
 // Proof that a motion is free of collision at every moment, not only at samples.
 //
-// Panels are thin plates, shrunk by a clearance, as in every check of a motion; touching is allowed, penetration deeper
-// than `touch` is not. Time is halved until, on an interval, each pair of plates is either
+// Panels are plates, thin or prisms as thick as the linkage says, shrunk by a clearance, as in every check of a motion;
+// touching is allowed, penetration deeper than `touch` is not. Time is halved until, on an interval, each pair of
+// plates is either
 //   - apart: their swept boxes are disjoint, or a direction, seen from the last panel common to their chains, separates
 //     them at both ends of the interval by more than both can stray from the chords of their corners in between;
 //   - touching: the same up to `touch`, and then they may not turn up on the other side of each other; or
 //   - in collision: at the middle of their chords they penetrate deeper than both can stray, plus `touch`.
 // Every comparison leaves room for rounding (PanelMotion::rounding). It shares no code with planners and their checks.
-// Panels at a common hinge are kept apart by the hinge while it turns by at most 180 degrees and neither reaches across
-// its line; panels of different parts are never compared: each part folds by itself.
-// Sheets with loops move as sheet_motion.h says. Their hinges open between waypoints by up to a bounded gap, so the
-// hinge keeps its panels apart up to that gap, and touching is allowed up to it as well. The gap must stay below the
-// clearance.
+// Thin panels at a common hinge are kept apart by the hinge while it turns by at most 180 degrees and neither reaches
+// across its line; panels of different parts are never compared: each part folds by itself. Sheets with loops move as
+// sheet_motion.h says. Their hinges open between waypoints by up to a bounded gap, so the hinge keeps its panels apart
+// up to that gap, and touching is allowed up to it as well. The gap must stay below the clearance.
 #pragma once
 #include "plico/base/run.h"
 #include "plico/fold/folding_path.h"

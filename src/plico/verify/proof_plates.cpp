@@ -52,6 +52,8 @@ bool ProofPlates::may_collide(int plate_a, int plate_b) const {
 ProofPlates proof_plates(const Linkage& linkage, double clearance) {
   ProofPlates plates;
   plates.num_panels = linkage.num_panels();
+  plates.are_thick = linkage.thickness > 0;
+  const double half = linkage.thickness / 2;
   plates.hinged.resize(linkage.panels.size());
   const std::vector<int> part_of_panel = parts(linkage);
   for (int p = 0; p < linkage.num_panels(); ++p) {
@@ -60,7 +62,9 @@ ProofPlates proof_plates(const Linkage& linkage, double clearance) {
     outline = shrunk(outline, clearance);
     const auto add = [&](const std::vector<Vec2>& plate) {
       std::vector<Vec3>& corners = plates.corners.emplace_back();
-      for (const Vec2& corner : plate) corners.emplace_back(corner.x(), corner.y(), 0);
+      for (const Vec2& corner : plate) corners.emplace_back(corner.x(), corner.y(), -half);
+      if (plates.are_thick)
+        for (const Vec2& corner : plate) corners.emplace_back(corner.x(), corner.y(), half);
       plates.panel.push_back(p);
       plates.part.push_back(part_of_panel[p]);
     };
@@ -69,6 +73,7 @@ ProofPlates proof_plates(const Linkage& linkage, double clearance) {
     else
       for (const auto& t : triangulate(outline)) add({outline[t[0]], outline[t[1]], outline[t[2]]});
   }
+  if (plates.are_thick) return plates;
   for (const Hinge& hinge : linkage.hinges) {
     const double slack = 1e-9 * (hinge.to - hinge.from).norm();
     if (farthest_across(linkage.panels[hinge.left], hinge, 1) > slack) continue;

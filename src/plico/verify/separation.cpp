@@ -1,8 +1,10 @@
 #include "plico/verify/separation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace plico {
 namespace {
@@ -65,23 +67,44 @@ void see_corners(Plate points, Plate plate, const Vec3& normal, double sign, Sho
   }
 }
 
-// The axis along which two plates that share points come apart soonest.
-Separation depth(Plate a, Plate b, const Vec3& normal_a, const Vec3& normal_b) {
+std::vector<Vec3> sides(Plate plate) {
+  std::vector<Vec3> along;
+  for (std::size_t i = 0; i < plate.size(); ++i) along.emplace_back(corner_after(plate, i) - plate[i]);
+  return along;
+}
+
+// The axis along which two bodies come apart soonest: of the normals of their faces and all products of their edges.
+Separation soonest(Plate a, Plate b, std::span<const Vec3> normals, std::span<const Vec3> edges_a,
+                   std::span<const Vec3> edges_b) {
   Separation best{-std::numeric_limits<double>::infinity(), Vec3::UnitX()};
   const auto see = [&](const Vec3& axis) {
     const Vec3 unit = axis.normalized();
     for (const Vec3& direction : {unit, Vec3(-unit)})
       if (const double ahead = lead(a, b, direction); ahead > best.value) best = {ahead, direction};
   };
-  see(normal_a);
-  see(normal_b);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const Vec3 u = corner_after(a, i) - a[i], v = corner_after(b, j) - b[j], axis = u.cross(v);
+  for (const Vec3& normal : normals) see(normal);
+  for (const Vec3& u : edges_a) {
+    for (const Vec3& v : edges_b) {
+      const Vec3 axis = u.cross(v);
       if (axis.squaredNorm() > 1e-16 * u.squaredNorm() * v.squaredNorm()) see(axis);
     }
   }
   return best;
+}
+
+// One end of a prism, and what leads from it to the other.
+Plate end_of(Plate prism) { return prism.first(prism.size() / 2); }
+Vec3 way_through(Plate prism) { return prism[prism.size() / 2] - prism[0]; }
+
+void add_faces(Plate prism, std::vector<Vec3>& normals) {
+  normals.push_back(plane_normal(end_of(prism)));
+  for (const Vec3& side : sides(end_of(prism))) normals.emplace_back(side.cross(way_through(prism)));
+}
+
+std::vector<Vec3> edges_of_prism(Plate prism) {
+  std::vector<Vec3> edges = sides(end_of(prism));
+  edges.push_back(way_through(prism));
+  return edges;
 }
 
 }  // namespace
@@ -110,7 +133,14 @@ Separation separation(Plate a, Plate b) {
     const double ahead = lead(a, b, direction);
     if (ahead > 0.5 * distance) return {ahead, direction};
   }
-  return depth(a, b, normal_a, normal_b);
+  return soonest(a, b, std::array{normal_a, normal_b}, sides(a), sides(b));
+}
+
+Separation separation_of_prisms(std::span<const Vec3> a, std::span<const Vec3> b) {
+  std::vector<Vec3> normals;
+  add_faces(a, normals);
+  add_faces(b, normals);
+  return soonest(a, b, normals, edges_of_prism(a), edges_of_prism(b));
 }
 
 }  // namespace plico

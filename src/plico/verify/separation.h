@@ -18,6 +18,10 @@ struct Separation {
 // every corner against the other plate. O(n m).
 Separation separation(std::span<const Vec3> a, std::span<const Vec3> b);
 
+// The same for prisms: corners of one end in cyclic order, then those of the other end in the same order. By separating
+// axes, so a positive `value` may be less than the distance, but is positive whenever that is. O(n m (n + m)).
+Separation separation_of_prisms(std::span<const Vec3> a, std::span<const Vec3> b);
+
 // min of direction.x over a, minus max of direction.x over b.
 double lead(std::span<const Vec3> a, std::span<const Vec3> b, const Vec3& direction);
 

@@ -29,7 +29,7 @@ SheetMotion::SheetMotion(const Linkage& linkage, const FoldingPath& path) : link
     center_.emplace_back(sum / static_cast<double>(panel.size()));
     double radius = 0;
     for (const Vec3& corner : panel) radius = std::max(radius, (corner - center_.back()).norm());
-    radius_.push_back(radius);
+    radius_.push_back(std::hypot(radius, linkage.thickness / 2));
   }
   double reach = 0;
   for (int p = 0; p < linkage.num_panels(); ++p) reach = std::max(reach, center_[p].norm() + radius_[p]);
