@@ -122,7 +122,7 @@ void write_motions(Session& session, FoldFile& file, const Linkage& linkage, con
 
 int fold_file(const FoldArgs& args, Session& session) {
   motion_method(args.planner);
-  const std::vector<std::string> outputs = session.outputs("-");
+  const std::vector<std::string> outputs = fold_outputs(session);
   FoldFile file = read_sheet(args.net, session);
   const Linkage linkage = make_linkage(file.net.sheet, file.net.mate);
   const MotionOutcome outcome = plan(file, linkage, args, session);

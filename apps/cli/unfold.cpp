@@ -12,6 +12,7 @@
 #include "plico/mesh/measures.h"
 #include "plico/workflow/foldable_net.h"
 #include "plico/workflow/unfold_mesh.h"
+#include "read_sheet.h"
 #include "session.h"
 
 namespace plico::cli {
@@ -152,7 +153,7 @@ int unfold_file(UnfoldArgs& args, Session& session) {
   if (args.optimize != "none" && args.foldable != "none")
     throw InvalidOption("optimize cannot be combined with foldable: a net that folds is not changed afterwards");
   check(args.options);
-  const std::vector<std::string> outputs = session.outputs("-");
+  const std::vector<std::string> outputs = fold_outputs(session);
   const Mesh mesh = to_mesh(read_mesh_source(session.read(args.mesh), args.mesh));
   if (args.foldable != "none") return unfold_foldable(args, mesh, outputs, session);
   const UnfoldOutcome outcome = unfold_mesh(mesh, args.options, session.run());

@@ -1,5 +1,7 @@
 #include "plico/io/pattern/pattern_file.h"
 
+#include <algorithm>
+
 #include "plico/base/error.h"
 #include "plico/io/pattern/cp.h"
 #include "plico/io/pattern/opx.h"
@@ -11,6 +13,12 @@ namespace plico {
 namespace {
 
 PatternFile drawing(ImportedPattern imported) { return {fold_file(imported.sheet), std::move(imported.notes)}; }
+
+// The name of a mesh where a sheet is wanted: the most common slip.
+bool is_named_as_mesh(const std::string& name) {
+  constexpr std::string_view kMeshes[] = {"obj", "off", "stl", "ply"};
+  return std::ranges::find(kMeshes, extension(name)) != std::end(kMeshes);
+}
 
 PatternFile read_as(std::string_view bytes, PatternFormat format, const std::string& name) {
   switch (format) {
@@ -59,6 +67,9 @@ std::optional<PatternFormat> sniff_pattern_format(std::string_view bytes) {
 PatternFile read_pattern(std::string_view bytes, const std::string& name) {
   if (bytes.find_first_not_of(" \t\r\n") == std::string_view::npos)
     throw InvalidInput("read/empty", fmt::format("{} is empty", name), name);
+  if (is_named_as_mesh(name))
+    throw InvalidInput("read/mesh", fmt::format("{} is a mesh, a net or a crease pattern is wanted", name), name,
+                       fmt::format("plico unfold {} -o net.fold", name));
   const auto by_name = pattern_format_of(name), by_content = sniff_pattern_format(bytes);
   // Without a name that says otherwise it is FOLD, whose reader says best what is wrong.
   const PatternFormat format = by_name ? *by_name : by_content.value_or(PatternFormat::Fold);
