@@ -75,7 +75,8 @@ MeshFormat format_to_write(const std::string& path) {
 
 int write_repaired(const Args& args, const MeshSource& source, const std::vector<std::string>& outputs,
                    Session& session) {
-  const Repaired repaired = repair(source.soup, {args.check.planarity, args.check.max_coordinate});
+  const Repaired repaired =
+      repair(source.soup, {.planarity = args.check.planarity, .max_coordinate = args.check.max_coordinate});
   for (const std::string& sentence : repaired.done) session.say(sentence);
   if (repaired.done.empty()) session.say("nothing had to be repaired");
   const CheckReport after = check_mesh(repaired.soup, args.check);

@@ -7,16 +7,16 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.h"
-#include "plico/io/mesh/mesh_file.h"
 #include "plico/workflow/craft.h"
 #include "print_options.h"
+#include "read_mesh.h"
 #include "session.h"
 
 namespace plico::cli {
 namespace {
 
 struct CraftArgs {
-  std::string mesh, foldable = "linear";
+  std::string mesh, foldable = "linear", repair = "safe";
   PrintArgs print;
 };
 
@@ -60,7 +60,7 @@ void print_result(const Session& session, const std::string& folder, const Craft
 
 int craft_file(const CraftArgs& args, Session& session) {
   const std::string folder = session.output_folder(stem(args.mesh));
-  const Mesh mesh = to_mesh(read_mesh_source(session.read(args.mesh), args.mesh));
+  const Mesh mesh = read_mesh(args.mesh, args.repair, session);
   const CraftResult result = craft(mesh, craft_options(args, session), session.run());
   for (const CraftFile& file : result.files) session.write(folder + "/" + file.name, file.bytes);
   session.report()["craft"] = craft_report(mesh, result);
@@ -82,6 +82,7 @@ Command craft_command() {
       .positional("mesh", "OBJ, OFF, STL or PLY file; '-' is standard input", args->mesh)
       .choice("--foldable", "look for a net whose linear or uniform motion is proven free of collision", args->foldable,
               {"linear", "uniform", "none"});
+  add_repair_option(command, args->repair);
   add_print_options(command, args->print);
   command.action([args](Session& session) { return craft_file(*args, session); });
   return command;

@@ -7,11 +7,11 @@
 #include "commands.h"
 #include "motion_report.h"
 #include "plico/base/error.h"
-#include "plico/io/mesh/mesh_file.h"
 #include "plico/io/pattern/fold.h"
 #include "plico/mesh/measures.h"
 #include "plico/workflow/foldable_net.h"
 #include "plico/workflow/unfold_mesh.h"
+#include "read_mesh.h"
 #include "read_sheet.h"
 #include "session.h"
 
@@ -23,7 +23,7 @@ using nlohmann::json;
 constexpr double kPlanningSeconds = 30;  // for the best net, when none folds by the law asked for
 
 struct UnfoldArgs {
-  std::string mesh, method = "search", foldable = "none", optimize = "none";
+  std::string mesh, method = "search", foldable = "none", optimize = "none", repair = "safe";
   UnfoldOptions options;
   int max_steps = -1;
 };
@@ -154,7 +154,7 @@ int unfold_file(UnfoldArgs& args, Session& session) {
     throw InvalidOption("optimize cannot be combined with foldable: a net that folds is not changed afterwards");
   check(args.options);
   const std::vector<std::string> outputs = fold_outputs(session);
-  const Mesh mesh = to_mesh(read_mesh_source(session.read(args.mesh), args.mesh));
+  const Mesh mesh = read_mesh(args.mesh, args.repair, session);
   if (args.foldable != "none") return unfold_foldable(args, mesh, outputs, session);
   const UnfoldOutcome outcome = unfold_mesh(mesh, args.options, session.run());
   report_outcome(session, mesh, args, outcome);
@@ -193,6 +193,7 @@ Command unfold_command() {
       .option("--effort", "N", "panels looked at in one step of the search", search.effort)
       .option("--max-steps", "N", "steps of the search; -1: 10,000 and 100 more a face", args->max_steps)
       .action([args](Session& session) { return unfold_file(*args, session); });
+  add_repair_option(command, args->repair);
   return command;
 }
 

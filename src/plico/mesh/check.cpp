@@ -305,9 +305,9 @@ double warp(const PolygonSoup& soup, int face) {
   return off / size;
 }
 
-bool is_degenerate(const PolygonSoup& soup, int face) {
+bool is_degenerate(const PolygonSoup& soup, int face, double least) {
   const double size = size_of(soup, face);
-  return !(twice_vector_area(soup, face).norm() > 2e-12 * size * size);
+  return !(twice_vector_area(soup, face).norm() > 2 * least * size * size);
 }
 
 bool crosses_itself(const PolygonSoup& soup, int face) {

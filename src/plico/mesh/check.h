@@ -44,8 +44,8 @@ Mesh require_mesh(PolygonSoup soup, const CheckOptions& options = {});
 // A face's farthest corner from its mean plane, divided by the greatest distance of a corner from the first one.
 double warp(const PolygonSoup& soup, int face);
 
-// Is the area zero, to within 1e-12 of the square of its size?
-bool is_degenerate(const PolygonSoup& soup, int face);
+// Is the area zero, to within `least` of the square of its size?
+bool is_degenerate(const PolygonSoup& soup, int face, double least = 1e-12);
 
 // Does the outline of a polygon cross or touch itself, seen along its normal?
 bool crosses_itself(const PolygonSoup& soup, int face);

@@ -25,14 +25,17 @@ class Repairer {
  public:
   Repairer(const PolygonSoup& soup, const RepairOptions& options) : options_(options) { result_.soup = soup; }
 
-  Repaired run() {
+  Repaired run() { return options_.level == RepairLevel::Safe ? run_safely() : run_fully(); }
+
+ private:
+  Repaired run_fully() {
     weld();
     drop_faces("removed {} with a vertex number out of range", [&](int f) { return !in_range(f); });
     drop_faces("removed {} with a coordinate that is not finite or too large", [&](int f) { return !finite(f); });
     drop_repeated_corners();
     drop_faces("removed {} with fewer than three corners or a vertex twice", [&](int f) { return !distinct(f); });
     triangulate_bad_polygons();
-    drop_faces("removed {} without area", [&](int f) { return is_degenerate(soup(), f); });
+    drop_faces("removed {} without area", [&](int f) { return is_degenerate(soup(), f, options_.least_area); });
     drop_duplicates();
     orient();
     turn_outward();
@@ -41,7 +44,63 @@ class Repairer {
     return std::move(result_);
   }
 
- private:
+  Repaired run_safely() {
+    if (!all_usable()) return std::move(result_);  // nothing that is done here would help
+    Repairer welded(*this);
+    welded.weld();
+    welded.clean();
+    clean();
+    if (closes_more(welded.soup())) result_ = std::move(welded.result_);
+    orient();
+    turn_outward();
+    if (!has_bad_edges()) split_bow_ties();
+    if (!result_.done.empty()) drop_unused_vertices();
+    return std::move(result_);
+  }
+
+  bool all_usable() {
+    for (int f = 0; f < soup().num_faces(); ++f)
+      if (!in_range(f) || !finite(f)) return false;
+    return true;
+  }
+
+  struct EdgeCount {
+    std::size_t open = 0, crowded = 0;  // edges of one face, of more than two
+  };
+  static EdgeCount count_edges(const PolygonSoup& soup) {
+    EdgeCount count;
+    FaceSides(soup, all_faces(soup)).for_each_edge([&](std::span<const FaceSide> sides) {
+      count.open += sides.size() == 1;
+      count.crowded += sides.size() > 2;
+    });
+    return count;
+  }
+
+  // Corners that coincide in a file are one point drawn twice when the faces then close up, and two points that touch
+  // when edges would get more than two faces. Where both happen, most open edges must go.
+  bool closes_more(const PolygonSoup& welded) {
+    const EdgeCount apart = count_edges(soup()), joined = count_edges(welded);
+    if (joined.crowded > apart.crowded) return 2 * joined.open <= apart.open && apart.open > 0;
+    return joined.open < apart.open;
+  }
+
+  // What has no area or stands twice goes, what is not flat is cut.
+  void clean() {
+    drop_repeated_corners();
+    drop_faces("removed {} with fewer than three corners", [&](int f) { return soup().face(f).size() < 3; });
+    triangulate_bad_polygons();
+    drop_faces("removed {} without area", [&](int f) { return is_degenerate(soup(), f, options_.least_area); });
+    drop_duplicates();
+  }
+
+  bool has_bad_edges() {
+    bool bad = false;
+    FaceSides(soup(), all_faces(soup())).for_each_edge([&](std::span<const FaceSide> sides) {
+      bad = bad || sides.size() > 2 || (sides.size() == 2 && sides[0].forward == sides[1].forward);
+    });
+    return bad;
+  }
+
   PolygonSoup& soup() { return result_.soup; }
   void say(const std::string& text) { result_.done.push_back(text); }
   static std::string counted(std::size_t n, const char* what) {
@@ -194,13 +253,7 @@ class Repairer {
   // edge may still be bad when its faces hang together around both ends; then its later faces go.
   void take_apart() {
     while (true) {
-      DisjointSets fans(soup().corners.size());
-      FaceSides(soup(), all_faces(soup())).for_each_edge([&](std::span<const FaceSide> sides) {
-        if (sides.size() != 2 || sides[0].forward == sides[1].forward) return;
-        fans.join(sides[0].corner, sides[1].next);
-        fans.join(sides[0].next, sides[1].corner);
-      });
-      split_vertices(fans);
+      split_bow_ties();
       std::vector<char> bad(static_cast<std::size_t>(soup().num_faces()), 0);
       bool any = false;
       FaceSides(soup(), all_faces(soup())).for_each_edge([&](std::span<const FaceSide> sides) {
@@ -211,6 +264,16 @@ class Repairer {
       if (!any) return;
       drop_faces("removed {} at edges that cannot be taken apart", [&](int f) { return bad[f] != 0; });
     }
+  }
+
+  void split_bow_ties() {
+    DisjointSets fans(soup().corners.size());
+    FaceSides(soup(), all_faces(soup())).for_each_edge([&](std::span<const FaceSide> sides) {
+      if (sides.size() != 2 || sides[0].forward == sides[1].forward) return;
+      fans.join(sides[0].corner, sides[1].next);
+      fans.join(sides[0].next, sides[1].corner);
+    });
+    split_vertices(fans);
   }
 
   void split_vertices(DisjointSets& fans) {

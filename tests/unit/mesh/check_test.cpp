@@ -191,6 +191,49 @@ TEST(Repair, TriangleSoupBecomesASolid) {
   EXPECT_THAT(codes(repaired.soup), IsEmpty());
 }
 
+TEST(Repair, SafelyOnlyWhatChangesNoShape) {
+  const RepairOptions safe{.level = RepairLevel::Safe};
+  PolygonSoup fin = tetrahedron();  // three faces at an edge: not for us to decide
+  fin.points.emplace_back(1, 1, -1);
+  fin.add_face({0, 1, 4});
+  EXPECT_THAT(repair(fin, safe).done, IsEmpty());
+  EXPECT_EQ(repair(fin, safe).soup.corners, fin.corners);
+  EXPECT_TRUE(check_mesh(repair(fin).soup).usable());
+
+  PolygonSoup hole = tetrahedron();  // a coordinate that is no number: without its faces a hole would be left
+  hole.points[3].x() = std::nan("");
+  EXPECT_THAT(repair(hole, safe).done, IsEmpty());
+}
+
+TEST(Repair, SafelyJoinsCornersOnlyWhenFacesCloseUp) {
+  const RepairOptions safe{.level = RepairLevel::Safe};
+  const PolygonSoup one = tetrahedron();
+  PolygonSoup loose;
+  for (int f = 0; f < 4; ++f) {
+    for (int v : one.face(f)) loose.points.push_back(one.points[v]);
+    loose.add_face({3 * f, 3 * f + 1, 3 * f + 2});
+  }
+  EXPECT_EQ(repair(loose, safe).soup.num_points(), 4);
+  // Two solids that share an edge stay two: joined, four faces would meet there.
+  PolygonSoup two = one;
+  for (const Vec3& p : one.points) two.points.emplace_back(p.x(), -p.y(), -p.z());
+  for (int f = 0; f < 4; ++f) {
+    const auto face = one.face(f);
+    two.add_face({face[0] + 4, face[1] + 4, face[2] + 4});
+  }
+  EXPECT_EQ(repair(two, safe).soup.num_points(), 8);
+  EXPECT_THAT(repair(two, safe).done, IsEmpty());
+}
+
+TEST(Repair, FacesThinnerThanSinglePrecisionHaveNoArea) {
+  PolygonSoup soup = tetrahedron();
+  soup.points.emplace_back(0.5, 1e-8, -1e-9);
+  soup.add_face({1, 0, 4});
+  const Repaired repaired = repair(soup, {.level = RepairLevel::Safe});
+  EXPECT_THAT(repaired.done, ElementsAre("removed 1 face without area", "dropped 1 vertex without faces"));
+  EXPECT_TRUE(check_mesh(repaired.soup).usable());
+}
+
 TEST(Repair, AOneSidedSurfaceIsCutOpen) {
   PolygonSoup band;
   for (int i = 0; i < 5; ++i) {

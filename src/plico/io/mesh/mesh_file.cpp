@@ -90,8 +90,8 @@ std::string place_of(const MeshSource& source, const Problem& problem) {
   return source.place(places[elements[0]]);
 }
 
-Mesh to_mesh(MeshSource source) {
-  const CheckReport report = check_mesh(source.soup, {.self_intersections = false});
+Mesh to_mesh(MeshSource source, const CheckOptions& options) {
+  const CheckReport report = check_mesh(source.soup, options);
   if (report.usable()) return Mesh(std::move(source.soup));
   const Problem& first = report.problems.front();
   const std::string place = place_of(source, first);

@@ -26,7 +26,7 @@ std::string place_of(const MeshSource& source, const Problem& problem);
 
 // The surface that every algorithm starts from: the first error that check_mesh finds is thrown as InvalidInput, with
 // the place in the file and the command to try. What check_mesh only warns about is let through.
-Mesh to_mesh(MeshSource source);
+Mesh to_mesh(MeshSource source, const CheckOptions& options = {.self_intersections = false});
 Mesh load_mesh(const std::string& path);
 
 // The bytes of a file of that format; PLY binary, STL binary. Every format but STL keeps every double and every
