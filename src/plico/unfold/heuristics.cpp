@@ -107,7 +107,11 @@ FoldForest lightest_forest(const Mesh& mesh, const std::vector<double>& weights)
 
 Vec3 random_direction(Rng& rng) {
   for (;;) {
-    const Vec3 v(rng.normal(), rng.normal(), rng.normal());
+    // One draw a statement: in one list, compilers would choose the order. This one is what g++ chose.
+    Vec3 v;
+    v.z() = rng.normal();
+    v.y() = rng.normal();
+    v.x() = rng.normal();
     if (v.norm() > 1e-6) return v.normalized();
   }
 }
