@@ -2,15 +2,17 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "commands.h"
 #include "motion_report.h"
 #include "plico/base/error.h"
-#include "plico/io/mesh/mesh_file.h"
 #include "plico/io/pattern/fold.h"
 #include "plico/verify/net.h"
 #include "plico/verify/path.h"
+#include "plico/workflow/judge_motion.h"
 #include "plico/workflow/plan_motion.h"
+#include "read_mesh.h"
 #include "read_sheet.h"
 #include "session.h"
 
@@ -20,7 +22,7 @@ namespace {
 using nlohmann::json;
 
 struct VerifyArgs {
-  std::string file, mesh;
+  std::string file, mesh, repair = "safe";
   double clearance = 0, noise = 0;
   int samples = 100;
 };
@@ -74,8 +76,7 @@ void report_net(Session& session, const NetVerdict& verdict) {
 
 // Without a mesh the net is held against its own folded form; one that makes no surface is a defect like any other.
 NetVerdict judge(const FoldFile& file, const VerifyArgs& args, Session& session, const Run& run) {
-  if (!args.mesh.empty())
-    return verify_net(file.net, to_mesh(read_mesh_source(session.read(args.mesh), args.mesh)), {}, run);
+  if (!args.mesh.empty()) return verify_net(file.net, read_mesh(args.mesh, args.repair, session), {}, run);
   if (file.folded.empty())
     throw InvalidInput("verify/no-shape", fmt::format("{} has no folded form to hold the net against", args.file), {},
                        fmt::format("plico verify {} MESH", args.file));
@@ -131,10 +132,19 @@ void report_noise(const FoldFile& file, const Linkage& linkage, const VerifyArgs
                   verdict.folded, verdict.samples, degrees(args.noise), verdict.mean_stop));
 }
 
+[[noreturn]] void refuse_mesh(const VerifyArgs& args) {
+  throw InvalidInput("verify/no-net", fmt::format("{} does not say which mesh its panels come from", args.file), {},
+                     fmt::format("plico verify {}", args.file));
+}
+
 // A motion claims that its panels never penetrate each other on the way.
 int verify_motion_file(const FoldFile& file, const VerifyArgs& args, Session& session) {
   const Run run = session.run();
   const Linkage linkage = make_linkage(file.net.sheet, file.net.mate);
+  std::optional<Mesh> mesh;
+  if (!args.mesh.empty()) mesh = read_mesh(args.mesh, args.repair, session);
+  if (mesh && (file.net.mesh_face.empty() || file.net.mesh_vertex.empty())) refuse_mesh(args);
+  const FileVerdict claims = judge_motion(file, linkage, mesh, run);
   const PathProof proof = prove_path(linkage, *file.path, {.clearance = args.clearance}, run);
   json& report = session.report();
   report["kind"] = "motion";
@@ -142,22 +152,22 @@ int verify_motion_file(const FoldFile& file, const VerifyArgs& args, Session& se
   report["hinges"] = linkage.num_hinges();
   report["waypoints"] = file.path->waypoints.size();
   report["motion"] = motion_json(proof);
-  // A motion may rightly end before the goal; whoever reads the answer should know.
-  const double short_of_goal = (file.path->waypoints.back().config - goal(linkage)).lpNorm<Eigen::Infinity>();
-  report["short_of_goal_deg"] = degrees(short_of_goal);
-  const bool valid = proof.verdict == PathVerdict::Free;
+  report["short_of_goal_deg"] = degrees((file.path->waypoints.back().config - goal(linkage)).lpNorm<Eigen::Infinity>());
+  report["defects"] = to_json(claims.defects);
+  report["unchecked"] = claims.unchecked;
+  const bool finished = claims.complete && !proof.interrupted;
+  const bool valid = proof.verdict == PathVerdict::Free && claims.complete && claims.defects.empty();
   report["valid"] = valid;
   session.print(fmt::format("motion     {}, {}, {}\n", count(linkage.num_panels(), "panel"),
                             count(linkage.num_hinges(), "fold"),
                             count(static_cast<long>(file.path->waypoints.size()), "waypoint")));
   session.print(fmt::format("proof      {}\n", motion_line(proof)));
   if (linkage.has_loops()) session.print(fmt::format("loops      {}\n", loops_line(proof.loops)));
-  if (short_of_goal > radians(0.5))
-    session.print(
-        fmt::format("goal       not reached: a fold angle ends {:.4g} degrees short of it\n", degrees(short_of_goal)));
+  session.print(lines_of(claims.defects));
+  for (const std::string& what : claims.unchecked) session.print(fmt::format("unchecked  {}\n", what));
   if (args.noise > 0 && !run.over()) report_noise(file, linkage, args, session);
-  session.print(fmt::format("verified   {}\n", proof.interrupted ? "not finished" : valid ? "yes" : "no"));
-  if (proof.interrupted) return Session::exit_code(run.ending());
+  session.print(fmt::format("verified   {}\n", !finished ? "not finished" : valid ? "yes" : "no"));
+  if (!finished && run.over()) return Session::exit_code(run.ending());
   return valid ? kDone : kNo;
 }
 
@@ -168,9 +178,7 @@ int verify_file(const VerifyArgs& args, Session& session) {
     case FoldKind::Net:
       return verify_net_file(file, args, session);
     case FoldKind::CreasePattern:
-      if (!args.mesh.empty())
-        throw InvalidInput("verify/no-net", fmt::format("{} does not say which mesh its panels come from", args.file),
-                           {}, fmt::format("plico verify {}", args.file));
+      if (!args.mesh.empty()) refuse_mesh(args);
       return verify_sheet_file(file, session);
     case FoldKind::Motion:
       return verify_motion_file(file, args, session);
@@ -182,8 +190,8 @@ int verify_file(const VerifyArgs& args, Session& session) {
 
 Command verify_command() {
   const auto args = std::make_shared<VerifyArgs>();
-  return Command("verify", "Check from scratch that a net is right: no overlap, true to the mesh, closes when folded")
-      .example("plico verify bird.fold bird.obj", "is this a net of this mesh?")
+  Command command("verify", "Check from scratch that a net is right: no overlap, true to the mesh, closes when folded");
+  command.example("plico verify bird.fold bird.obj", "is this a net of this mesh?")
       .example("plico verify bird.fold", "the same, against the folded form in the file")
       .example("plico unfold bird.obj -o - | plico verify - --json", "every figure, for a program")
       .example("plico verify motion.fold --angle-noise 6deg", "is this motion free of collision, and how robust is it?")
@@ -194,6 +202,8 @@ Command verify_command() {
       .angle("--angle-noise", "motions: also fold with every crease off by up to this much", args->noise)
       .option("--samples", "N", "motions folded with --angle-noise", args->samples)
       .action([args](Session& session) { return verify_file(*args, session); });
+  add_repair_option(command, args->repair);
+  return command;
 }
 
 }  // namespace plico::cli

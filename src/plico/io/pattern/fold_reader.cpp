@@ -358,13 +358,39 @@ bool is_spatial_frame(const Json& frame, const std::set<std::string>& extra) {
          frame.value("frame_inherit", Json()) == Json(true) && frame.contains("vertices_coords");
 }
 
+constexpr double kNoFoldDegrees = 1e-6;  // what cannot turn is not turned
+
+// What keeps a frame with a time from being part of the motion.
+std::string why_no_waypoint(const Json& frame) {
+  for (const char* key : {"vertices_coords", "edges_foldAngle"})
+    if (!frame.contains(key)) return fmt::format("it has no {}", key);
+  if (frame.value("frame_inherit", Json()) != Json(true)) return "its frame_inherit is not true";
+  if (frame.value("frame_parent", Json(0)) != Json(0)) return "its frame_parent is not 0";
+  if (frame.value("frame_classes", Json()) != Json{"foldedForm"}) return "its frame_classes are not [\"foldedForm\"]";
+  if (frame.value("frame_attributes", Json()) != Json{"3D"}) return "its frame_attributes are not [\"3D\"]";
+  return "other frames stand between it and the key frame, or it has keys that a motion does not know";
+}
+
+// A motion is never taken for a sheet because one of its frames is not as it should be.
+void refuse_stray_times(const std::vector<Frame>& all, std::size_t first) {
+  for (std::size_t i = first; i < all.size(); ++i)
+    if (all[i].own().contains("plico:time"))
+      fail("motion",
+           fmt::format("a frame has a plico:time but is no part of a motion: {}", why_no_waypoint(all[i].own())),
+           all[i].at("plico:time"));
+}
+
 Waypoint read_waypoint(const Frame& frame, const std::vector<int>& hinge) {
   const Json* angles = frame.array("edges_foldAngle", static_cast<int>(hinge.size()));
   Waypoint waypoint{number(frame.own()["plico:time"], frame, "plico:time", 0), {}};
   const auto hinges = std::count_if(hinge.begin(), hinge.end(), [](int h) { return h >= 0; });
   waypoint.config.setZero(hinges);
   for (std::size_t e = 0; e < hinge.size(); ++e)
-    if (hinge[e] >= 0) waypoint.config[hinge[e]] = radians(number((*angles)[e], frame, "edges_foldAngle", e));
+    if (const double angle = number((*angles)[e], frame, "edges_foldAngle", e); hinge[e] >= 0)
+      waypoint.config[hinge[e]] = radians(angle);
+    else if (std::abs(angle) > kNoFoldDegrees)
+      fail("angle", fmt::format("edge {} turns by {:.6g} degrees, but is no fold of the sheet", e, angle),
+           frame.entry("edges_foldAngle", e));
   return waypoint;
 }
 
@@ -385,6 +411,7 @@ std::size_t read_motion(const std::vector<Frame>& all, FoldFile& file) {
     if (waypoints.size() > 1 && !(waypoints[waypoints.size() - 2].time < waypoints.back().time))
       fail("time", "the times of a motion must increase", all[i].at("plico:time"));
   }
+  refuse_stray_times(all, i);
   if (file.path && (file.path->waypoints.size() < 2 || file.path->waypoints.front().time != 0 ||
                     file.path->waypoints.back().time != 1))
     fail("time", "a motion starts at plico:time 0 and ends at 1", all[i - 1].at("plico:time"));
@@ -460,6 +487,8 @@ FoldFile read_fold(std::string_view bytes, const std::string& name) {
     for (std::size_t i = read_motion(all, file); i < all.size(); ++i) file.other_frames.push_back(all[i].own().dump());
     return file;
   }
+  if (std::any_of(all.begin(), all.end(), [](const Frame& f) { return f.own().contains("plico:time"); }))
+    fail("motion", "a file with a motion has its flat sheet as the key frame", frame.at("vertices_coords"));
   keep_other_keys(frame.flattened(), file);
   for (const auto& [key, value] : root.items())
     if (key.starts_with("file_") && !is_ours(key)) file.other.emplace_back(key, value.dump());
