@@ -26,41 +26,12 @@ struct FoldArgs {
   double clearance = 0, max_fold_angle = std::numeric_limits<double>::quiet_NaN();
 };
 
-constexpr const char* kLimitKey = "edges_plico:maxFoldAngle";
-
-// The material's limit of every hinge, radians; empty when neither the file nor the command line has one.
-Configuration limits_of(const FoldFile& file, const Linkage& linkage, const FoldArgs& args) {
-  const bool given = !std::isnan(args.max_fold_angle);
-  if (given && !(args.max_fold_angle >= 0 && args.max_fold_angle <= kPi))
-    throw InvalidOption(
-        fmt::format("max-fold-angle = {:.6g} degrees must be in [0, 180]", degrees(args.max_fold_angle)));
-  const auto table =
-      std::find_if(file.other.begin(), file.other.end(), [](const auto& o) { return o.first == kLimitKey; });
-  if (!given && table == file.other.end()) return {};
-  Configuration limits = Configuration::Constant(linkage.num_hinges(), given ? args.max_fold_angle : kPi);
-  if (table == file.other.end()) return limits;
-  const nlohmann::json values = nlohmann::json::parse(table->second);
-  const std::vector<int> hinges = hinge_of_edge(file.net.sheet);
-  if (!values.is_array() || values.size() > hinges.size())
-    throw InvalidInput("fold/limits", fmt::format("{} must be a list with at most one entry for each of the {} edges",
-                                                  kLimitKey, hinges.size()));
-  for (std::size_t e = 0; e < values.size(); ++e) {
-    if (values[e].is_null()) continue;
-    if (!values[e].is_number() || values[e].get<double>() < 0)
-      throw InvalidInput("fold/limits", fmt::format("{}[{}] must be degrees, at least 0, or null", kLimitKey, e));
-    if (hinges[e] >= 0) limits[hinges[e]] = std::min(limits[hinges[e]], radians(values[e].get<double>()));
-  }
-  return limits;
-}
-
-// Motions of trees stay between flat and the goal, so only the goal can exceed a limit.
-void refuse_goal_beyond(const Linkage& linkage, const Configuration& limits) {
-  for (int h = 0; h < limits.size(); ++h)
-    if (std::abs(linkage.hinges[h].target) > limits[h] + 1e-9)
-      throw InvalidInput(
-          "fold/limits",
-          fmt::format("the goal folds panels {} and {} by {:.4g} degrees, the limit is {:.4g}", linkage.hinges[h].left,
-                      linkage.hinges[h].right, degrees(std::abs(linkage.hinges[h].target)), degrees(limits[h])));
+// What the command line allows; the file may allow less of single creases.
+void narrow_limits(CreasePattern& sheet, double most) {
+  if (std::isnan(most)) return;
+  if (!(most >= 0 && most <= kPi))
+    throw InvalidOption(fmt::format("max-fold-angle = {:.6g} degrees must be in [0, 180]", degrees(most)));
+  for (Crease& crease : sheet.edges) crease.limit = std::min(crease.limit, most);
 }
 
 // The goal of another file of the same pattern.
@@ -74,27 +45,24 @@ Configuration state_of(const std::string& path, const Linkage& linkage, Session&
   return goal(other);
 }
 
-MotionOutcome reuse(const FoldFile& file, const MotionOptions& options, const Configuration& limits,
-                    const std::string& path, Session& session) {
+MotionOutcome reuse(const FoldFile& file, const MotionOptions& options, const std::string& path, Session& session) {
   const FoldFile small = read_sheet(path, session);
   if (!small.path)
     throw InvalidInput("fold/no-motion", path + " has no motion", path,
                        "plico fold " + path + " --grouped -o motion.fold");
-  return reuse_motion(small.net.sheet, *small.path, file.net.sheet, options, limits, session.run());
+  return reuse_motion(small.net.sheet, *small.path, file.net.sheet, options, session.run());
 }
 
 MotionOutcome plan(const FoldFile& file, const Linkage& linkage, const FoldArgs& args, Session& session) {
   MotionOptions options{session.seed(), motion_method(args.planner), args.alternatives, args.clearance, args.waypoints,
                         args.grouped};
-  const Configuration limits = limits_of(file, linkage, args);
   if (linkage.has_loops()) {
     for (const std::string& state : args.through) options.through.push_back(state_of(state, linkage, session));
-    if (!args.reuse.empty()) return reuse(file, options, limits, args.reuse, session);
-    return plan_origami(file.net.sheet, options, limits, session.run());
+    if (!args.reuse.empty()) return reuse(file, options, args.reuse, session);
+    return plan_origami(file.net.sheet, options, session.run());
   }
   if (args.grouped || !args.reuse.empty() || !args.through.empty())
     throw InvalidOption("--grouped, --reuse and --through are for crease patterns with loops; this sheet has none");
-  refuse_goal_beyond(linkage, limits);
   return plan_motion(linkage, options, session.run());
 }
 
@@ -124,6 +92,7 @@ int fold_file(const FoldArgs& args, Session& session) {
   motion_method(args.planner);
   const std::vector<std::string> outputs = fold_outputs(session);
   FoldFile file = read_sheet(args.net, session);
+  narrow_limits(file.net.sheet, args.max_fold_angle);
   const Linkage linkage = make_linkage(file.net.sheet, file.net.mate);
   const MotionOutcome outcome = plan(file, linkage, args, session);
   nlohmann::json motions = nlohmann::json::array();

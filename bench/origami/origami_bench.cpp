@@ -78,7 +78,7 @@ void default_row(Table& table, const Row31& row) {
   MotionOutcome found;
   const Linkage linkage = make_linkage(row.sheet);
   const double time = seconds([&] {
-    found = linkage.has_loops() ? plan_origami(row.sheet, {}, {}, limited({}, kLimit))
+    found = linkage.has_loops() ? plan_origami(row.sheet, {}, limited({}, kLimit))
                                 : plan_motion(linkage, {}, limited({}, kLimit));
   });
   const bool any = !found.motions.empty();

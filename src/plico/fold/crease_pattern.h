@@ -22,6 +22,7 @@ struct Crease {
   int a = -1, b = -1;  // vertices
   Assignment assignment = Assignment::Unassigned;
   double fold_angle = 0;  // target, radians in [-pi, pi], valley > 0 > mountain (R1)
+  double limit = kPi;     // largest size of a fold angle that the material allows, radians in [0, pi]
 };
 
 struct CreasePattern {

@@ -108,7 +108,8 @@ Linkage make_linkage(const CreasePattern& sheet, const std::vector<int>& mate, i
   for (int e = 0; e < sheet.num_edges(); ++e) {
     const Crease& crease = sheet.edges[e];
     if (!is_hinge(crease, sides[e])) continue;
-    linkage.hinges.push_back({sides[e].left, sides[e].right, lift(crease.a), lift(crease.b), crease.fold_angle});
+    linkage.hinges.push_back({sides[e].left, sides[e].right, lift(crease.a), lift(crease.b), crease.fold_angle,
+                              -crease.limit, crease.limit});
   }
   grow_trees(linkage, base);
   add_seams(linkage, sheet, mate);
@@ -145,6 +146,12 @@ Configuration goal(const Linkage& linkage) {
   Configuration config(linkage.num_hinges());
   for (int h = 0; h < linkage.num_hinges(); ++h) config[h] = linkage.hinges[h].target;
   return config;
+}
+
+int hinge_beyond_limits(const Linkage& linkage, const Configuration& config, double slack) {
+  for (int h = 0; h < linkage.num_hinges(); ++h)
+    if (config[h] < linkage.hinges[h].low - slack || config[h] > linkage.hinges[h].high + slack) return h;
+  return -1;
 }
 
 std::vector<Pose> folding_map(const Linkage& linkage, const Configuration& config) {

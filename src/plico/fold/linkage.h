@@ -15,7 +15,7 @@ struct Hinge {
   int left = -1, right = -1;      // panels: `left` lies left of from -> to, seen from the front
   Vec3 from, to;                  // the axis in the flat state; z is its offset from the mid-plane
   double target = 0;              // fold angle at the goal
-  double low = -kPi, high = kPi;  // limits
+  double low = -kPi, high = kPi;  // limits of the fold angle: the one home of what the material allows
 };
 
 struct Linkage {
@@ -55,6 +55,9 @@ std::vector<int> hinge_of_edge(const CreasePattern& sheet);
 
 Configuration flat(const Linkage& linkage);
 Configuration goal(const Linkage& linkage);
+
+// A hinge whose angle in `config` lies beyond its limits by more than `slack` radians, -1 for none.
+int hinge_beyond_limits(const Linkage& linkage, const Configuration& config, double slack = 1e-9);
 
 // The rigid motion that carries each panel from the flat state to `config`, roots at rest (eq. 2.3, read as R3). Loops
 // are not closed here: a foldable configuration agrees on them by itself. O(panels).

@@ -15,8 +15,6 @@ namespace {
 
 void check(const DiscreteOptions& o) {
   if (!(o.tolerance > 0)) throw InvalidOption(fmt::format("tolerance = {} must be above 0", o.tolerance));
-  if (!(o.max_fold_angle > 0 && o.max_fold_angle <= kPi))
-    throw InvalidOption(fmt::format("max fold angle = {} must be in (0, pi]", o.max_fold_angle));
 }
 
 // The choices to make: one a group of creases.
@@ -26,7 +24,7 @@ class Domain {
     check(options);
     const Linkage linkage = make_linkage(sheet);
     for (const Hinge& hinge : linkage.hinges)
-      angles_.push_back(important_angles(hinge.target, options.angles, options.max_fold_angle));
+      angles_.push_back(important_angles(hinge.target, options.angles, hinge.high));
     group_ = options.groups;
     if (group_.empty())
       for (int h = 0; h < num_hinges(); ++h) group_.push_back(h);

@@ -18,7 +18,6 @@ std::vector<double> important_angles(double target, AngleSet set, double limit =
 struct DiscreteOptions {
   AngleSet angles = AngleSet::Discrete3;
   double tolerance = 1e-9;       // radians, of the worst closure residual; above 0
-  double max_fold_angle = kPi;   // of the material, in (0, pi]; targets beyond it are clamped as well
   std::vector<int> groups = {};  // of each hinge: creases of one group (0, 1, ...) take the same place in their angle
                                  // sets, each with its own sign; empty: every crease for itself
 };
@@ -35,7 +34,7 @@ inline constexpr long kMostTested = 2000000;  // about two seconds
 // at most `most`, and after kMostTested vertices walked around, then the search ends Exhausted. Collisions are not
 // looked at: panels that lie on each other make most of these states, and touching is allowed. Exponential in the worst
 // case; 0.01 s for the 32 creases of the sailboat. Throws InvalidInput when `groups` does not fit or joins creases of
-// different angle sets.
+// different angle sets. Sizes are at most the limits of the hinges; targets beyond are clamped as well.
 DiscreteStates discrete_states(const CreasePattern& sheet, const DiscreteOptions& options = {}, long most = 100000,
                                const Run& run = {});
 

@@ -52,8 +52,8 @@ class Roadmap {
         frog_(sheet, options.frog) {
     add(flat(linkage_));
     Configuration target = goal(linkage_);
-    const double limit = options.discrete.max_fold_angle;
-    target = target.cwiseMax(-limit).cwiseMin(limit);
+    for (int h = 0; h < linkage_.num_hinges(); ++h)
+      target[h] = std::clamp(target[h], linkage_.hinges[h].low, linkage_.hinges[h].high);
     stops_.push_back(0);
     for (const Configuration& state : options.intermediate) stops_.push_back(add(state));
     stops_.push_back(add(target));

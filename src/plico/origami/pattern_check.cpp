@@ -199,7 +199,8 @@ class Checker {
 
   void check_goals() {
     for (int e = 0; e < sheet_.num_edges(); ++e) {
-      const auto& [a, b, assignment, angle] = sheet_.edges[e];
+      const Assignment assignment = sheet_.edges[e].assignment;
+      const double angle = sheet_.edges[e].fold_angle;
       if (!std::isfinite(angle) || std::abs(angle) > kPi + options_.angle) {
         add_edges(Severity::Error, "origami/fold-angle", {e}, middle(e),
                   fmt::format("crease {} has a goal of {:.6g} degrees, must be in [-180, 180]", e, degrees(angle)),

@@ -27,6 +27,7 @@ class MotionJudge {
     judge_letters();
     judge_start();
     judge_goal();
+    judge_limits();
     judge_points();
     return std::move(verdict_);
   }
@@ -100,6 +101,17 @@ class MotionJudge {
   void judge_goal() {
     worst_angle("motion/goal", "it does not reach the goal", file_.path->waypoints.back().config - goal(linkage_),
                 kGoal);
+  }
+
+  void judge_limits() {
+    for (const Waypoint& waypoint : file_.path->waypoints) {
+      const int h = hinge_beyond_limits(linkage_, waypoint.config, kStart);
+      if (h < 0) continue;
+      const Hinge& hinge = linkage_.hinges[h];
+      return defect("motion/limit",
+                    "at t = {:.4g} the fold of panels {} and {} is at {:.6g} degrees, its limit is {:.6g}",
+                    waypoint.time, hinge.left, hinge.right, degrees(waypoint.config[h]), degrees(hinge.high));
+    }
   }
 
   void judge_points() {

@@ -84,6 +84,16 @@ class Planning {
   int free_ = 0;
 };
 
+// Motions of trees stay between flat and the goal, so only the goal can exceed a limit.
+void refuse_goal_beyond_limits(const Linkage& linkage) {
+  const int h = hinge_beyond_limits(linkage, goal(linkage));
+  if (h < 0) return;
+  const Hinge& hinge = linkage.hinges[h];
+  throw InvalidInput("fold/limits",
+                     fmt::format("the goal folds panels {} and {} by {:.4g} degrees, the limit is {:.4g}", hinge.left,
+                                 hinge.right, degrees(std::abs(hinge.target)), degrees(hinge.high)));
+}
+
 }  // namespace
 
 std::vector<std::string> motion_methods() { return {kMethods.begin(), kMethods.begin() + kPlanners}; }
@@ -103,6 +113,7 @@ MotionOutcome plan_motion(const Linkage& linkage, const MotionOptions& options, 
     throw InvalidOption(fmt::format("alternatives = {} must be at least 1", options.alternatives));
   if (is_for_loops(options.method))
     throw InvalidOption(fmt::format("{} is for crease patterns with loops; this sheet has none", name(options.method)));
+  refuse_goal_beyond_limits(linkage);
   return Planning(linkage, options, run).plan();
 }
 

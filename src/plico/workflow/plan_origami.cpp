@@ -71,10 +71,10 @@ void scale_times(FoldingPath& path) {
 
 class OrigamiPlanning {
  public:
-  OrigamiPlanning(CreasePattern sheet, const MotionOptions& options, const Configuration& limits, const Run& run)
-      : sheet_(std::move(sheet)), options_(options), limits_(limits), run_(run), linkage_(make_linkage(sheet_)) {
-    if (limits_.size() != 0 && limits_.size() != linkage_.num_hinges())
-      throw InvalidInput("limits/size", fmt::format("{} limits for {} creases", limits_.size(), linkage_.num_hinges()));
+  OrigamiPlanning(CreasePattern sheet, const MotionOptions& options, const Run& run)
+      : sheet_(std::move(sheet)), options_(options), run_(run), linkage_(make_linkage(sheet_)) {
+    limits_.resize(linkage_.num_hinges());
+    for (int h = 0; h < linkage_.num_hinges(); ++h) limits_[h] = linkage_.hinges[h].high;
     clearance_ = options.clearance > 0 ? options.clearance : default_clearance(linkage_);
   }
 
@@ -119,10 +119,13 @@ class OrigamiPlanning {
     ContinuationOptions continuation;
     continuation.frames = options_.waypoints;
     continuation.collision.clearance = options_.clearance;
-    if (within && limits_.size() > 0) {
+    if (within) {
       continuation.projection.low = -limits_;
       continuation.projection.high = limits_;
     }
+    // A goal beyond the limits is still where the way leads, to be left where the material ends.
+    if (!within)
+      for (Crease& crease : sheet_.edges) crease.limit = kPi;
     const ContinuationResult found =
         groups_ ? continue_in_groups(continuation) : continue_to_goal(sheet_, continuation, run_);
     outcome_.ending = found.ending;
@@ -189,6 +192,11 @@ class OrigamiPlanning {
       outcome_.notes.emplace_back("not rigid: the goal does not close");
       return false;
     }
+    const bool goes_straight_first = options_.method == MotionMethod::Auto && options_.through.empty();
+    if (!goes_straight_first && !goal_within_limits()) {
+      outcome_.ending = Ending::Exhausted;
+      return false;
+    }
     if (options_.method == MotionMethod::MdFrog && goal_collides()) return false;
     MdFrogOptions options;
     options.frog.seed = options_.seed;
@@ -196,7 +204,6 @@ class OrigamiPlanning {
     options.alternatives = options_.alternatives;
     options.intermediate = options_.through;
     if (groups_) options.discrete.groups = groups_->group;
-    if (limits_.size() > 0) options.discrete.max_fold_angle = std::max(1e-9, limits_.minCoeff());
     options.refute = [&](const FoldingPath& path) { return refute(path); };
     const MdFrogResult found = md_frog(sheet_, options, run_);
     if (found.paths.empty()) {
@@ -258,7 +265,6 @@ class OrigamiPlanning {
   }
 
   bool goal_within_limits() {
-    if (limits_.size() == 0) return true;
     std::vector<int> beyond;
     for (int h = 0; h < linkage_.num_hinges(); ++h)
       if (std::abs(linkage_.hinges[h].target) > limits_[h] + kLimitSlack) beyond.push_back(h);
@@ -276,7 +282,6 @@ class OrigamiPlanning {
 
   // Ends the path before its first waypoint beyond the limits.
   void keep_limits(FoldingPath& path) {
-    if (limits_.size() == 0) return;
     const auto beyond = std::find_if(path.waypoints.begin(), path.waypoints.end(), [&](const Waypoint& w) {
       return ((w.config.cwiseAbs() - limits_).array() > kLimitSlack).any();
     });
@@ -304,7 +309,7 @@ class OrigamiPlanning {
 
   CreasePattern sheet_;
   const MotionOptions& options_;
-  const Configuration& limits_;
+  Configuration limits_;  // of each hinge
   const Run& run_;
   Linkage linkage_;
   std::optional<CreaseGroups> groups_;
@@ -352,8 +357,7 @@ FoldingPath refine_path(const CreasePattern& sheet, const FoldingPath& path, dou
   return refined;
 }
 
-MotionOutcome plan_origami(const CreasePattern& sheet, const MotionOptions& options, const Configuration& limits,
-                           const Run& run) {
+MotionOutcome plan_origami(const CreasePattern& sheet, const MotionOptions& options, const Run& run) {
   const MotionMethod method = options.method;
   if (method != MotionMethod::Auto && !is_for_loops(method))
     throw InvalidOption(
@@ -362,12 +366,12 @@ MotionOutcome plan_origami(const CreasePattern& sheet, const MotionOptions& opti
     throw InvalidOption(fmt::format("{} does not pass given states; md-frog does", name(method)));
   if (options.grouped && method == MotionMethod::Frog)
     throw InvalidOption("frog moves every crease by itself; continuation and md-frog plan in groups");
-  return OrigamiPlanning(sheet, options, limits, run).plan();
+  return OrigamiPlanning(sheet, options, run).plan();
 }
 
 MotionOutcome reuse_motion(const CreasePattern& small, const FoldingPath& path, const CreasePattern& large,
-                           const MotionOptions& options, const Configuration& limits, const Run& run) {
-  return OrigamiPlanning(large, options, limits, run).carry(small, path);
+                           const MotionOptions& options, const Run& run) {
+  return OrigamiPlanning(large, options, run).carry(small, path);
 }
 
 }  // namespace plico

@@ -9,8 +9,7 @@ namespace plico {
 // (verify/path.h).
 //   - A goal that almost closes, as one rounded to a few digits does, is first moved to the nearest that does: at most
 //     kMostGoalMove. Nothing is moved farther.
-//   - `limits` has the largest size of each hinge's fold angle, radians; empty for none. A motion that would exceed one
-//     ends before that.
+//   - A motion that would exceed the limit of a crease ends before that.
 //   - A plan that ends early gives the motion up to there, its times scaled to [0, 1], and Ending::Exhausted; `notes`
 //     say why: "not rigid: ...", "left the branch ...", "collides ...", "limited ...".
 //   - When the straight way is blocked and the sheet has at most 64 creases, Auto looks for another one with MD-FROG
@@ -19,13 +18,12 @@ namespace plico {
 //     with all of them. `options.through` are states to pass, which only MD-FROG does.
 // Deterministic. Throws InvalidOption for a method that is for trees or does not do what the options ask for,
 // InvalidInput when sizes differ or a state to pass does not close.
-MotionOutcome plan_origami(const CreasePattern& sheet, const MotionOptions& options = {},
-                           const Configuration& limits = {}, const Run& run = {});
+MotionOutcome plan_origami(const CreasePattern& sheet, const MotionOptions& options = {}, const Run& run = {});
 
 // The motion of a small sheet carried to a large one that continues its pattern (origami/reuse.h), refined and proven
 // at full size. Of the options the clearance and the seed count. Throws InvalidInput as reuse_path does.
 MotionOutcome reuse_motion(const CreasePattern& small, const FoldingPath& path, const CreasePattern& large,
-                           const MotionOptions& options = {}, const Configuration& limits = {}, const Run& run = {});
+                           const MotionOptions& options = {}, const Run& run = {});
 
 inline constexpr double kMostGoalMove = radians(0.5);
 

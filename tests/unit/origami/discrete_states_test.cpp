@@ -77,7 +77,6 @@ TEST(Discrete, GroupsMustFit) {
   EXPECT_THROW(discrete_states(l2(), {.groups = {0, 1}}), InvalidInput);
   EXPECT_THROW(discrete_states(l2(), {.groups = {0, 0, 0, 0}}), InvalidInput);  // targets of 180 and 90 degrees
   EXPECT_THROW(discrete_states(l2(), {.groups = {0, 2, 0, 2}}), InvalidInput);
-  EXPECT_THROW(discrete_states(l2(), {.max_fold_angle = 4}), InvalidOption);
 }
 
 TEST(Discrete, StopsAtTheNumberAskedFor) {

@@ -10,6 +10,11 @@
 namespace plico {
 namespace {
 
+CreasePattern limited_to(CreasePattern sheet, double most) {
+  for (Crease& crease : sheet.edges) crease.limit = most;
+  return sheet;
+}
+
 using testing::MatchesRegex;
 using testing::StartsWith;
 
@@ -153,9 +158,8 @@ TEST(PlanOrigami, RoundedGoalsAreMovedToTheNearestThatCloses) {
 }
 
 TEST(PlanOrigami, StopsWhereTheMaterialDoes) {
-  const CreasePattern sheet = miura({.zigzag_angle = radians(120)});
-  const Configuration limits = Configuration::Constant(make_linkage(sheet).num_hinges(), radians(90));
-  const MotionOutcome outcome = plan_origami(sheet, {}, limits);
+  const CreasePattern sheet = limited_to(miura({.zigzag_angle = radians(120)}), radians(90));
+  const MotionOutcome outcome = plan_origami(sheet);
   EXPECT_EQ(outcome.ending, Ending::Exhausted);
   ASSERT_TRUE(outcome.proven());
   EXPECT_THAT(outcome.notes.front(), StartsWith("limited: the goal folds"));
@@ -164,19 +168,68 @@ TEST(PlanOrigami, StopsWhereTheMaterialDoes) {
     largest = std::max(largest, w.config.lpNorm<Eigen::Infinity>());
   EXPECT_LE(largest, radians(90) + 1e-9);
   EXPECT_GT(largest, radians(85));
-  const Configuration wide = Configuration::Constant(limits.size(), radians(121));
-  EXPECT_EQ(plan_origami(sheet, {}, wide).ending, Ending::Found);
+  EXPECT_EQ(plan_origami(limited_to(sheet, radians(121))).ending, Ending::Found);
+}
+
+// All goals are within their limits; the least limit of any crease is below the goals of others.
+TEST(PlanOrigami, ALimitBindsItsOwnCreaseOnly) {
+  CreasePattern sheet = letter();
+  for (Crease& crease : sheet.edges)
+    if (std::abs(crease.fold_angle) <= radians(95)) crease.limit = radians(95);
+  for (const MotionMethod method : {MotionMethod::Auto, MotionMethod::MdFrog}) {
+    const MotionOutcome outcome = plan_origami(sheet, {.method = method});
+    EXPECT_EQ(outcome.ending, Ending::Found) << name(method);
+    EXPECT_TRUE(outcome.proven()) << name(method);
+  }
+}
+
+// Four squares around a vertex, folded along one line by 90 degrees; the other line, which stays flat, could turn
+// by 10.
+TEST(PlanOrigami, ALimitOnCreasesThatStayFlatChangesNothing) {
+  CreasePattern cross;
+  cross.vertices = {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}, {1, 1}};
+  cross.faces = {{0, 1, 8, 7}, {1, 2, 3, 8}, {8, 3, 4, 5}, {7, 8, 5, 6}};
+  cross.edges = {{8, 1, Assignment::Flat, 0, radians(10)},
+                 {8, 3, Assignment::Valley, radians(90)},
+                 {8, 5, Assignment::Flat, 0, radians(10)},
+                 {8, 7, Assignment::Valley, radians(90)}};
+  for (int v = 0; v < 8; ++v) cross.edges.push_back({v, (v + 1) % 8, Assignment::Boundary});
+  for (const MotionMethod method : {MotionMethod::Auto, MotionMethod::Continuation, MotionMethod::MdFrog}) {
+    const MotionOutcome outcome = plan_origami(cross, {.method = method});
+    EXPECT_EQ(outcome.ending, Ending::Found) << name(method);
+    ASSERT_TRUE(outcome.proven()) << name(method);
+    EXPECT_NEAR(outcome.motions.front().path.waypoints.back().config.maxCoeff(), radians(90), 1e-6) << name(method);
+  }
+}
+
+// One contract for all planners: within the limits they plan, beyond they stop before them or refuse.
+TEST(PlanOrigami, EveryPlannerHonoursLimits) {
+  const CreasePattern within = limited_to(l2(), kPi), beyond = limited_to(l2(), radians(60));
+  for (const MotionMethod method :
+       {MotionMethod::Auto, MotionMethod::Continuation, MotionMethod::Frog, MotionMethod::MdFrog}) {
+    EXPECT_EQ(plan_origami(within, {.method = method}).ending, Ending::Found) << name(method);
+    const MotionOutcome outcome = plan_origami(beyond, {.method = method});
+    EXPECT_EQ(outcome.ending, Ending::Exhausted) << name(method);
+    for (const Motion& motion : outcome.motions)
+      for (const Waypoint& w : motion.path.waypoints)
+        EXPECT_LT(w.config.lpNorm<Eigen::Infinity>(), radians(60) + 1e-6) << name(method);
+  }
+  const Linkage strip = make_linkage(limited_to(l(), radians(60)));
+  for (const MotionMethod method : {MotionMethod::Auto, MotionMethod::Linear, MotionMethod::Uniform,
+                                    MotionMethod::LazyPrm, MotionMethod::RrtConnect, MotionMethod::Prm}) {
+    EXPECT_THROW(plan_motion(strip, {.method = method}), InvalidInput) << name(method);
+    EXPECT_TRUE(plan_motion(make_linkage(l()), {.method = method}, limited({}, 20)).proven()) << name(method);
+  }
 }
 
 TEST(PlanOrigami, OptionsAreChecked) {
   EXPECT_THROW(plan_origami(miura(), {.method = MotionMethod::LazyPrm}), InvalidOption);
   EXPECT_THROW(plan_origami(miura(), {.waypoints = 0}), InvalidOption);
-  EXPECT_THROW(plan_origami(miura(), {}, Configuration::Zero(2)), InvalidInput);
   EXPECT_THROW(refine_path(miura(), {}, 0), InvalidOption);
 }
 
 TEST(PlanOrigami, OutOfTimeIsSaid) {
-  const MotionOutcome outcome = plan_origami(miura({.columns = 8, .rows = 8}), {}, {}, limited({}, 0));
+  const MotionOutcome outcome = plan_origami(miura({.columns = 8, .rows = 8}), {}, limited({}, 0));
   EXPECT_EQ(outcome.ending, Ending::TimedOut);
 }
 

@@ -204,6 +204,7 @@ class SheetReader {
     add_missing_edges();
     sides_ = edge_sides(sheet_);  // throws when two panels lie on one side of an edge
     fill_assignments();
+    read_limits();
     return std::move(sheet_);
   }
 
@@ -311,6 +312,24 @@ class SheetReader {
         if (!inner) edge.assignment = Assignment::Boundary;
       }
       if (!angle) edge.fold_angle = flat_fold_angle(edge.assignment);
+    }
+  }
+
+  // At most one entry for each edge of the file; edges that it leaves out are not limited.
+  void read_limits() {
+    constexpr const char* kKey = "edges_plico:maxFoldAngle";
+    const Json* limits = frame_.find(kKey);
+    if (!limits) return;
+    if (!limits->is_array() || limits->size() > sheet_.edges.size())
+      fail("limits",
+           fmt::format("{} must be a list with at most one entry for each of the {} edges", kKey, sheet_.num_edges()),
+           frame_.at(kKey));
+    for (std::size_t e = 0; e < limits->size(); ++e) {
+      const Json& limit = (*limits)[e];
+      if (limit.is_null()) continue;
+      if (!limit.is_number() || !(limit.get<double>() >= 0))
+        fail("limits", fmt::format("{}[{}] must be degrees, at least 0, or null", kKey, e), frame_.entry(kKey, e));
+      sheet_.edges[e].limit = std::min(kPi, radians(limit.get<double>()));
     }
   }
 
