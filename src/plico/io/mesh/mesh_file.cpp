@@ -57,7 +57,8 @@ std::optional<MeshFormat> sniff_mesh_format(std::string_view bytes) {
   const std::string_view first = bytes.substr(0, bytes.find_first_of(" \t\r\n"));
   if (first == "ply") return MeshFormat::Ply;
   if (first == "solid") return MeshFormat::Stl;
-  if (first.size() >= 3 && first.size() <= 6 && first.substr(first.size() - 3) == "OFF") return MeshFormat::Off;
+  const std::size_t off = first.find("OFF");  // after at most three letters, before a count when that is glued to it
+  if (off <= 3 && first.find_first_not_of("0123456789", off + 3) == std::string_view::npos) return MeshFormat::Off;
   if (looks_like_obj(bytes)) return MeshFormat::Obj;
   return {};
 }

@@ -31,12 +31,12 @@ class OffReader {
   // The keyword is optional; then the counts of vertices and faces, and of edges, which nobody keeps true.
   void read_header() {
     std::string_view word = scan_.word();
-    if (word.size() >= 3 && word.substr(word.size() - 3) == "OFF") {
-      const std::string_view prefix = word.substr(0, word.size() - 3);
+    if (const std::size_t keyword = word.find("OFF"); keyword != std::string_view::npos) {
+      const std::string_view prefix = word.substr(0, keyword), glued = word.substr(keyword + 3);
       if (prefix.find_first_not_of("STCN") != std::string_view::npos)
         scan_.fail("read/format", fmt::format("{} is no OFF file in three dimensions", quoted(word)));
       extra_columns_ = !prefix.empty();
-      word = scan_.word();
+      word = glued.empty() ? scan_.word() : glued;  // some programs write "OFF8 6 12"
     }
     if (word == "BINARY")
       scan_.fail("read/format", "binary OFF files cannot be read", "save the mesh as text OFF or as PLY");
@@ -48,6 +48,7 @@ class OffReader {
       if (count < 0 || count > kMaxElements)
         scan_.fail("read/limit", fmt::format("the header counts {}, must be in [0, {}]", count, kMaxElements));
     if (scan_.more_on_line()) scan_.integer("the number of edges");
+    while (scan_.more_on_line()) scan_.word();  // what programs remark after it
     reserve();
   }
 

@@ -69,6 +69,18 @@ TEST(ReadOff, TakesCommentsColoursAndFreeLayout) {
   EXPECT_EQ(read_off("COFF\n3 1\n0 0 0 9 9 9 1\n1 0 0 9 9 9 1\n0 1 0 9 9 9 1\n3 0 1 2").soup.num_points(), 3);
 }
 
+TEST(ReadOff, CountsMayBeGluedToTheKeywordAndRemarkedOn) {
+  const std::string body = "\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  const PolygonSoup plain = read_mesh("OFF\n3 1 3" + body, MeshFormat::Off);
+  EXPECT_EQ(plain.num_faces(), 1);
+  for (const char* header : {"OFF3 1 3", "OFF 3 1 3 written by a program", "OFF3 1 3 0.5"}) {
+    const PolygonSoup soup = read_mesh(header + body, MeshFormat::Off);
+    EXPECT_EQ(soup.points, plain.points) << header;
+    EXPECT_EQ(soup.corners, plain.corners) << header;
+    EXPECT_EQ(sniff_mesh_format(header + body), MeshFormat::Off) << header;
+  }
+}
+
 TEST(ReadOff, ErrorsSayTheLine) {
   EXPECT_THAT(failure("OFF\n3 1 0\n0 0 0\n1 0 0\n", "a.off"),
               HasSubstr("read/truncated: the file ends after 2 of 3 vertices"));
