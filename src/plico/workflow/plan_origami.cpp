@@ -152,7 +152,9 @@ class OrigamiPlanning {
                                          groups_->essential.size(), groups_->type.size()));
     ContinuationResult found = continue_to_goal(sheet_, continuation, run_);
     if (found.path.waypoints.size() < 2) return found;
-    const double gap = SheetMotion(linkage_, found.path).loops().gap;
+    FoldingPath reached = found.path;
+    scale_times(reached);  // a path that ends early is a motion all the same
+    const double gap = SheetMotion(linkage_, reached).loops().gap;
     const double finer = std::ceil(1.1 * std::sqrt(gap / (kGapShare * clearance_)));
     if (finer <= 1) return found;
     continuation.frames = static_cast<int>(std::min(1e6, finer * continuation.frames));

@@ -222,6 +222,16 @@ TEST(PlanOrigami, EveryPlannerHonoursLimits) {
   }
 }
 
+TEST(PlanOrigami, GroupsGoAsFarAsTheSheetDoes) {
+  const CreasePattern sheet = waterbomb({.columns = 12, .rows = 6, .diagonal_angle = radians(60)});
+  const MotionOutcome outcome = plan_origami(sheet, {.method = MotionMethod::Continuation, .grouped = true});
+  EXPECT_EQ(outcome.ending, Ending::Exhausted);
+  EXPECT_TRUE(outcome.proven());
+  EXPECT_GT(outcome.progress, 0.8);
+  EXPECT_LT(outcome.progress, 1);
+  EXPECT_THAT(outcome.notes, testing::Contains(StartsWith("collides after")));
+}
+
 TEST(PlanOrigami, OptionsAreChecked) {
   EXPECT_THROW(plan_origami(miura(), {.method = MotionMethod::LazyPrm}), InvalidOption);
   EXPECT_THROW(plan_origami(miura(), {.waypoints = 0}), InvalidOption);
