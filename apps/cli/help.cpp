@@ -103,6 +103,7 @@ std::vector<std::pair<int, std::string>> exit_codes() {
           {kFile, "cannot read or write a file"},
           {kTimeLimit, "time limit reached, best so far written"},
           {kInternal, "internal error"},
+          {kMemory, "out of memory"},
           {kInterrupted, "interrupted, best so far written"}};
 }
 

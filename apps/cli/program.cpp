@@ -40,7 +40,8 @@ Failure current_failure() {
   } catch (const FileError& error) {
     return failure_of(error, kFile);
   } catch (const std::bad_alloc&) {
-    return {kInternal, "internal/memory", "not enough memory", {}, {}};
+    return {
+        kMemory, "system/memory", "out of memory", {}, "use a mesh with fewer faces, or a machine with more memory"};
   } catch (const std::exception& error) {
     return {kInternal, "internal/bug", error.what(), {}, "report this with the command line and the input"};
   }

@@ -22,6 +22,7 @@ enum ExitCode {
   kFile = 4,          // cannot read or write
   kTimeLimit = 5,     // time limit, best so far written
   kInternal = 70,     // a bug of ours
+  kMemory = 71,       // out of memory
   kInterrupted = 130  // interrupted, best so far written
 };
 

@@ -47,7 +47,8 @@ TEST(Program, EveryKindOfFailureHasItsExitCode) {
   EXPECT_EQ(run({throwing(InvalidInput("mesh/empty", "no faces"))}, {"act"}).exit_code, 3);
   EXPECT_EQ(run({throwing(FileError("file/read", "cannot read a.obj"))}, {"act"}).exit_code, 4);
   EXPECT_EQ(run({throwing(std::logic_error("internal error"))}, {"act"}).exit_code, 70);
-  EXPECT_EQ(run({throwing(std::bad_alloc())}, {"act"}).exit_code, 70);
+  EXPECT_EQ(run({throwing(std::bad_alloc())}, {"act"}).exit_code, 71);
+  EXPECT_THAT(run({throwing(std::bad_alloc())}, {"act"}).err, StartsWith("plico: system/memory: out of memory"));
   EXPECT_EQ(run({acting("act", [](Session&) { return int{kNo}; })}, {"act"}).exit_code, 1);
 }
 
