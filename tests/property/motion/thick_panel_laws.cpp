@@ -114,9 +114,13 @@ TEST(ThickPanelLaw, ThicknessAndOffsetsAreWithinRange) {
   EXPECT_THROW(thickened(two, 0.1, {0.01, 0.01}), InvalidOption);
 }
 
-TEST(ThickPanelLaw, TheProofAndTheCheckAgreeWithTenThousandSamplesOfBoxes) {
+// 500 random chains, in five tests that run beside each other.
+class ThickChains : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(ThickPanelLaw, ThickChains, testing::Values(0, 100, 200, 300, 400));
+
+TEST_P(ThickChains, TheProofAndTheCheckAgreeWithTenThousandSamplesOfBoxes) {
   int free = 0, collided = 0;
-  for (int seed = 1; seed <= 500; ++seed) {
+  for (int seed = GetParam() + 1; seed <= GetParam() + 100; ++seed) {
     SCOPED_TRACE(seed);
     Rng rng(seed);
     const double thickness = rng.uniform(0.02, 0.4);
@@ -146,8 +150,8 @@ TEST(ThickPanelLaw, TheProofAndTheCheckAgreeWithTenThousandSamplesOfBoxes) {
     }
     (proof.verdict == PathVerdict::Free ? free : collided)++;
   }
-  EXPECT_GT(free, 50);
-  EXPECT_GT(collided, 50);
+  EXPECT_GT(free, 10);
+  EXPECT_GT(collided, 10);
 }
 
 }  // namespace
