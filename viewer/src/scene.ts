@@ -1,6 +1,7 @@
 // The folding sheet in space: a camera that goes round it, drawing, and which panel is under the pointer.
 import { apply, kindOf, type Kind, type Model, type Pose } from './model';
 import { Raster, type Rgb } from './raster';
+import { Surfaces } from './surfaces';
 
 export interface Look {
   front: Rgb;
@@ -39,6 +40,7 @@ export class Scene {
   private time = 0;
   private camera = { ...kHome };
   private readonly raster = new Raster();
+  private readonly surfaces: Surfaces;
   private readonly buffer = document.createElement('canvas');
   private readonly extents: Extent[] = [];
   private readonly typicalSide: number;
@@ -58,6 +60,7 @@ export class Scene {
   ) {
     for (let i = 0; i <= kMoments; i++) this.extents.push(this.measure(i / kMoments));
     this.typicalSide = model.typicalSide();
+    this.surfaces = new Surfaces(model.data);
     this.listen();
     new ResizeObserver(() => this.redraw()).observe(canvas);
   }
@@ -190,10 +193,11 @@ export class Scene {
       const facing: Vec = frontSeen ? normal : [-normal[0], -normal[1], -normal[2]];
       const colour = this.colour(p, frontSeen, hit, facing);
       const seen = frontSeen ? top : bottom;
+      const surface = frontSeen ? this.surfaces.front(p) : this.surfaces.back(p);
       const list = triangles[p]!;
       for (let i = 0; i < list.length; i += 3) {
         const [a, b, c] = [seen.screen[list[i]!]!, seen.screen[list[i + 1]!]!, seen.screen[list[i + 2]!]!];
-        this.raster.triangle(a, b, c, colour, p, hit ? 4 * scale : 0);
+        this.raster.triangle(a, b, c, colour, surface, hit ? 4 * scale : 0);
       }
       if (thickness > 0) this.drawWalls(top.screen, bottom.screen, mix(colour, this.look.ink, 0.3), p);
     });
@@ -201,8 +205,9 @@ export class Scene {
   private drawWalls(top: Vec[], bottom: Vec[], colour: Rgb, panel: number): void {
     top.forEach((a, i) => {
       const j = (i + 1) % top.length;
-      this.raster.triangle(a, bottom[i]!, bottom[j]!, colour, panel);
-      this.raster.triangle(a, bottom[j]!, top[j]!, colour, panel);
+      const wall = this.surfaces.wall(panel, i);
+      this.raster.triangle(a, bottom[i]!, bottom[j]!, colour, wall);
+      this.raster.triangle(a, bottom[j]!, top[j]!, colour, wall);
     });
   }
 
@@ -229,26 +234,30 @@ export class Scene {
       for (const z of thickness > 0 ? [thickness / 2, -thickness / 2] : [0]) {
         const at = (i: number): Vec =>
           project(apply(poses[p]!, outline[(2 * i) % outline.length]!, outline[(2 * i + 1) % outline.length]!, z));
-        for (let i = 0; 2 * i < outline.length; i++) this.raster.line(at(i), at(i + 1), thin, this.look.ink);
+        for (let i = 0; 2 * i < outline.length; i++)
+          this.raster.line(at(i), at(i + 1), thin, this.look.ink, this.surfaces.ofSide(p, i, z));
       }
     });
-    for (const hinge of hinges) {
+    hinges.forEach((hinge, h) => {
       const pose = poses[hinge.left]!;
-      this.drawCrease(apply(pose, ...hinge.from), apply(pose, ...hinge.to), kindOf(hinge.target), project, weight, radius);
-    }
+      const within = this.surfaces.ofHinge(h);
+      this.drawCrease(apply(pose, ...hinge.from), apply(pose, ...hinge.to), kindOf(hinge.target), project, weight, radius, within);
+    });
   }
   // Mountains solid, valleys dashed, flat creases thin.
-  private drawCrease(a: Vec, b: Vec, kind: Kind, project: (p: Vec) => Vec, weight: number, radius: number): void {
+  private drawCrease(a: Vec, b: Vec, kind: Kind, project: (p: Vec) => Vec, weight: number, radius: number,
+    within: readonly number[]): void {
     const colour = this.look[kind];
     if (kind !== 'valley') {
-      this.raster.line(project(a), project(b), (kind === 'flat' ? 1 : 2.1) * weight, colour);
+      this.raster.line(project(a), project(b), (kind === 'flat' ? 1 : 2.1) * weight, colour, within);
       return;
     }
     const dash = radius / 45;
     const length = Math.hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
     const dashes = Math.max(2, Math.round(length / dash));
     const point = (s: number): Vec => project([a[0] + (b[0] - a[0]) * s, a[1] + (b[1] - a[1]) * s, a[2] + (b[2] - a[2]) * s]);
-    for (let i = 0; i < dashes; i++) this.raster.line(point((i + 0.15) / dashes), point((i + 0.75) / dashes), 2.1 * weight, colour);
+    for (let i = 0; i < dashes; i++)
+      this.raster.line(point((i + 0.15) / dashes), point((i + 0.75) / dashes), 2.1 * weight, colour, within);
   }
 
   // The outline of the panels on the floor, drawn small; the style sheet blurs it.
@@ -276,7 +285,7 @@ export class Scene {
   private panelAt(event: PointerEvent): number {
     const box = this.canvas.getBoundingClientRect();
     const scale = this.raster.width / box.width;
-    return this.raster.at((event.clientX - box.left) * scale, (event.clientY - box.top) * scale);
+    return this.surfaces.panelOf(this.raster.at((event.clientX - box.left) * scale, (event.clientY - box.top) * scale));
   }
 
   private listen(): void {

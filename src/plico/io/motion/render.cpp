@@ -1,4 +1,7 @@
 // Draws a linkage into a depth buffer at kSamples times the size and averages.
+// A line lies in the surfaces that meet there, so depth alone cannot tell whether they hide it. Moving it towards the
+// eye would, but then it also shines through what is thinner than that shift: near a corner of the outline, edges of
+// the back. So each sample knows the surface seen there, and only surfaces that a line does not lie in can hide it.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,8 +15,9 @@ namespace plico {
 namespace {
 
 constexpr int kSamples = 3;
-constexpr double kNearer = 1.004;
-using Colour = Eigen::Array3f;  // in [0, 1]
+constexpr float kTie = 1e-6f;      // relative difference of depth below which two things are equally far: rounding
+constexpr double kInPlane = 1e-9;  // distance from a surface's plane, of the panel's size, that counts as in it
+using Colour = Eigen::Array3f;     // in [0, 1]
 
 const Colour kFrontColour(0.945f, 0.700f, 0.290f), kBackColour(0.970f, 0.945f, 0.895f);
 const Colour kSideColour(0.20f, 0.17f, 0.14f), kCreaseColour(0.45f, 0.35f, 0.22f);
@@ -21,6 +25,9 @@ const Colour kSky(0.985f, 0.985f, 0.98f), kGround(0.90f, 0.91f, 0.92f);
 
 // A point on the screen: samples right and down, depth growing away from the eye, linear on the screen.
 using ScreenPoint = Eigen::Vector3d;
+
+// Numbers of the surfaces that a line lies in.
+using Surfaces = std::vector<int>;
 
 class View {
  public:
@@ -73,7 +80,9 @@ class Canvas {
         height_(height),
         colour_(std::size_t(width) * height, Colour::Zero()),
         alpha_(std::size_t(width) * height, 0),
-        depth_(std::size_t(width) * height, std::numeric_limits<float>::infinity()) {}
+        depth_(std::size_t(width) * height, std::numeric_limits<float>::infinity()),
+        line_depth_(depth_),
+        surface_(std::size_t(width) * height, -1) {}
 
   // Calls paint(pixel, depth) for the samples of a triangle, whichever way it turns.
   template <class Paint>
@@ -94,30 +103,32 @@ class Canvas {
     }
   }
 
-  void triangle(const std::array<ScreenPoint, 3>& t, const Colour& colour) {
-    for_each_sample(t, [&](std::size_t i, float depth) { put(i, depth, colour); });
+  void triangle(const std::array<ScreenPoint, 3>& t, const Colour& colour, int surface) {
+    for_each_sample(t, [&](std::size_t i, float depth) {
+      if (depth >= depth_[i]) return;
+      depth_[i] = depth;
+      surface_[i] = surface;
+      set(i, colour);
+    });
   }
-  // A line `width` samples wide, drawn a little nearer than it is, so that its own panels do not hide it.
-  void line(const ScreenPoint& a, const ScreenPoint& b, double width, const Colour& colour) {
+  // A line `width` samples wide, where no surface hides it; drawn when all surfaces are. Of two lines that are equally
+  // far, the later is seen.
+  void line(const ScreenPoint& a, const ScreenPoint& b, double width, const Colour& colour, const Surfaces& within) {
     Vec2 side = perpendicular((b - a).head<2>());
     if (side.norm() == 0) return;
     side *= width / 2 / side.norm();
     const ScreenPoint s(side.x(), side.y(), 0);
-    const ScreenPoint na(a.x(), a.y(), a.z() * kNearer), nb(b.x(), b.y(), b.z() * kNearer);
-    triangle({na + s, na - s, nb + s}, colour);
-    triangle({nb + s, na - s, nb - s}, colour);
+    const auto paint = [&](std::size_t i, float depth) {
+      if (hidden(i, depth, within) || depth > line_depth_[i] + kTie * std::abs(depth)) return;
+      line_depth_[i] = depth;
+      set(i, colour);
+    };
+    for_each_sample({a + s, a - s, b + s}, paint);
+    for_each_sample({b + s, a - s, b - s}, paint);
   }
 
-  void put(std::size_t i, float depth, const Colour& colour) {
-    if (depth >= depth_[i]) return;
-    depth_[i] = depth;
-    colour_[i] = colour;
-    alpha_[i] = 1;
-  }
   void set_background(std::size_t i, const Colour& colour) {
-    if (alpha_[i] > 0) return;
-    colour_[i] = colour;
-    alpha_[i] = 1;
+    if (alpha_[i] == 0) set(i, colour);
   }
   int width() const { return width_; }
   int height() const { return height_; }
@@ -130,6 +141,14 @@ class Canvas {
   }
 
  private:
+  void set(std::size_t i, const Colour& colour) {
+    colour_[i] = colour;
+    alpha_[i] = 1;
+  }
+  // A surface that is as far as the line but not its own lies on it.
+  bool hidden(std::size_t i, float depth, const Surfaces& within) const {
+    return depth >= depth_[i] - kTie * std::abs(depth) && std::ranges::find(within, surface_[i]) == within.end();
+  }
   static double cross2(const ScreenPoint& a, const ScreenPoint& b, const Vec2& c) {
     return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
   }
@@ -150,7 +169,8 @@ class Canvas {
 
   int width_, height_;
   std::vector<Colour> colour_;
-  std::vector<float> alpha_, depth_;
+  std::vector<float> alpha_, depth_, line_depth_;
+  std::vector<int> surface_;  // seen at each sample, -1 for none
 };
 
 // Every point of every panel, plates included.
@@ -171,41 +191,88 @@ Colour lit(const Colour& colour, const Vec3& normal, const View& view) {
   return (colour * float(light)).min(1.0f);
 }
 
-void draw_triangles(Canvas& canvas, const View& view, const std::vector<Vec3>& points,
-                    const std::vector<std::array<int, 3>>& triangles, const Colour& colour) {
-  for (const auto& [a, b, c] : triangles) {
-    const Vec3 normal = (points[b] - points[a]).cross(points[c] - points[a]).normalized();
-    if (normal.dot(view.eye() - points[a]) <= 0) continue;
-    canvas.triangle({view.project(points[a]), view.project(points[b]), view.project(points[c])},
-                    lit(colour, normal, view));
-  }
+void draw_triangle(Canvas& canvas, const View& view, const std::vector<Vec3>& points, const std::array<int, 3>& corners,
+                   const Colour& colour, int surface) {
+  const auto& [a, b, c] = corners;
+  const Vec3 normal = (points[b] - points[a]).cross(points[c] - points[a]).normalized();
+  if (normal.dot(view.eye() - points[a]) <= 0) return;
+  canvas.triangle({view.project(points[a]), view.project(points[b]), view.project(points[c])},
+                  lit(colour, normal, view), surface);
 }
 
+// The surfaces of the panels are numbered panel by panel: front, back, and the wall below each side. Those of a sheet
+// without thickness are one, the front.
+class SurfaceNumbers {
+ public:
+  explicit SurfaceNumbers(const Linkage& linkage) : linkage_(linkage) {
+    int next = 0;
+    for (const auto& outline : linkage.panels) {
+      first_.push_back(next);
+      next += 2 + static_cast<int>(outline.size());
+    }
+  }
+  int front(int panel) const { return first_[panel]; }
+  int back(int panel) const { return first_[panel] + (linkage_.thickness > 0 ? 1 : 0); }
+  int wall(int panel, int side) const { return first_[panel] + 2 + side; }
+
+  // Adds the surfaces of a panel that hold the line from a to b, in the flat state.
+  void add_holding(int panel, const Vec3& a, const Vec3& b, Surfaces& within) const {
+    const std::vector<Vec3>& outline = linkage_.panels[panel];
+    const int n = static_cast<int>(outline.size());
+    double size = 0;
+    for (const Vec3& p : outline) size = std::max(size, (p - outline.front()).norm());
+    const auto in_plane = [&](const Vec3& normal, const Vec3& point) {
+      return std::max(std::abs(normal.dot(a - point)), std::abs(normal.dot(b - point))) <= kInPlane * size;
+    };
+    const Vec3 half(0, 0, linkage_.thickness / 2);
+    if (in_plane(Vec3::UnitZ(), half)) within.push_back(front(panel));
+    if (linkage_.thickness == 0) return;
+    if (in_plane(Vec3::UnitZ(), -half)) within.push_back(back(panel));
+    for (int i = 0; i < n; ++i) {
+      const Vec3 along = (outline[(i + 1) % n] - outline[i]).normalized();
+      if (in_plane(Vec3(along.y(), -along.x(), 0), outline[i])) within.push_back(wall(panel, i));
+    }
+  }
+
+ private:
+  const Linkage& linkage_;
+  std::vector<int> first_;
+};
+
 void draw_panels(Canvas& canvas, const View& view, const Linkage& linkage, const std::vector<Pose>& poses) {
+  const SurfaceNumbers numbers(linkage);
   for (int p = 0; p < linkage.num_panels(); ++p) {
     PanelSolid solid = panel_solid(linkage, p);
     for (Vec3& v : solid.points) v = poses[p] * v;
-    draw_triangles(canvas, view, solid.points, solid.front, kFrontColour);
-    draw_triangles(canvas, view, solid.points, solid.back, kBackColour);
-    draw_triangles(canvas, view, solid.points, solid.walls, kBackColour * 0.85f);
+    for (const auto& t : solid.front) draw_triangle(canvas, view, solid.points, t, kFrontColour, numbers.front(p));
+    for (const auto& t : solid.back) draw_triangle(canvas, view, solid.points, t, kBackColour, numbers.back(p));
+    for (std::size_t i = 0; i < solid.walls.size(); ++i)  // two triangles a side
+      draw_triangle(canvas, view, solid.points, solid.walls[i], kBackColour * 0.85f,
+                    numbers.wall(p, static_cast<int>(i / 2)));
   }
 }
 
 // Sides in ink, creases lighter. A crease belongs to two panels and is drawn with both.
 void draw_lines(Canvas& canvas, const View& view, const Linkage& linkage, const std::vector<Pose>& poses) {
   const double width = std::max(1.4 * kSamples, canvas.height() / 700.0);
+  const SurfaceNumbers numbers(linkage);
   for (int p = 0; p < linkage.num_panels(); ++p) {
     const PanelSolid solid = panel_solid(linkage, p);
     const int n = static_cast<int>(linkage.panels[p].size());
     for (int i = 0; i < static_cast<int>(solid.points.size()); ++i) {
       const int j = i % n == n - 1 ? i - n + 1 : i + 1;
+      Surfaces within;
+      numbers.add_holding(p, solid.points[i], solid.points[j], within);
       canvas.line(view.project(poses[p] * solid.points[i]), view.project(poses[p] * solid.points[j]), width,
-                  kSideColour);
+                  kSideColour, within);
     }
   }
-  for (const Hinge& hinge : linkage.hinges)
+  for (const Hinge& hinge : linkage.hinges) {
+    Surfaces within;
+    for (int p : {hinge.left, hinge.right}) numbers.add_holding(p, hinge.from, hinge.to, within);
     canvas.line(view.project(poses[hinge.left] * hinge.from), view.project(poses[hinge.left] * hinge.to), width,
-                kCreaseColour);
+                kCreaseColour, within);
+  }
 }
 
 // How dark the ground is under the panels: their outline from above, blurred three times by a box.

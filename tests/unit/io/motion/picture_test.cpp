@@ -63,6 +63,57 @@ TEST(Picture, NearerPanelsHideFartherOnes) {
   EXPECT_LT(middle[0] - middle[2], 40);
 }
 
+// A triangle that closes a flat pyramid behind it, `height` deep: its flaps are folded back and meet at the apex.
+CreasePattern flat_pyramid(double height) {
+  const double inradius = std::sqrt(3) / 6, slant = std::hypot(inradius, height);
+  CreasePattern sheet;
+  sheet.vertices = {{0, 0}, {1, 0}, {0.5, std::sqrt(3) / 2}};
+  sheet.faces = {{0, 1, 2}};
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    const Vec2 a = sheet.vertices[i], b = sheet.vertices[j];
+    sheet.faces.push_back({j, i, sheet.num_vertices()});
+    sheet.vertices.push_back((a + b) / 2 - slant * perpendicular(b - a));
+    const double angle = std::atan2(height, inradius) - kPi;
+    sheet.edges.push_back({i, j, assignment_of(angle), angle});
+  }
+  return sheet;
+}
+
+// Pixels unlike the one in the middle of what is drawn, more than `rim` pixels away from its outline.
+int marks_inside(const Picture& picture, int rim) {
+  const auto inside = [&](int x, int y) {
+    for (const auto& [dx, dy] : {std::pair(rim, 0), {-rim, 0}, {0, rim}, {0, -rim}})
+      if (x + dx < 0 || x + dx >= picture.width || y + dy < 0 || y + dy >= picture.height ||
+          pixel(picture, x + dx, y + dy)[3] == 0)
+        return false;
+    return true;
+  };
+  int marks = 0;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x)
+      marks += inside(x, y) && pixel(picture, x, y) != pixel(picture, picture.width / 2, picture.height / 2);
+  return marks;
+}
+
+TEST(Picture, EdgesBehindAPanelDoNotShineThroughAtTheCornersTheyShare) {
+  PictureOptions options = from_above();
+  options.width = options.height = 200;
+  for (double thickness : {0.0, 1e-4}) {
+    Linkage linkage = make_linkage(flat_pyramid(0.03));
+    linkage.thickness = thickness;
+    EXPECT_EQ(marks_inside(render(linkage, goal(linkage), options), 7), 0) << thickness;
+  }
+}
+
+TEST(Picture, EdgesInFrontOfAPanelAreSeen) {
+  PictureOptions options = from_above();
+  options.width = options.height = 200;
+  options.camera.elevation = radians(-89.9);
+  const Linkage linkage = make_linkage(flat_pyramid(0.03));
+  EXPECT_GT(marks_inside(render(linkage, goal(linkage), options), 7), 100);  // three edges from the corners to the apex
+}
+
 TEST(Picture, SizeHasBounds) {
   const Linkage linkage = make_linkage(square_strip({0}));
   PictureOptions options;
