@@ -22,16 +22,20 @@ const mix = (a: Rgb, b: Rgb, t: number): Rgb => [
   a[2] + (b[2] - a[2]) * t,
 ];
 
-// The sphere around everything, and the floor, at one moment.
-interface Extent {
+// The middle of everything, and the floor, at one moment.
+interface Place {
   centre: Vec;
-  radius: number;
   floor: number;
+}
+// With the sphere around everything.
+interface Extent extends Place {
+  radius: number;
 }
 
 const kHome = { azimuth: -0.6, elevation: 0.62, zoom: 1 };
 const kFieldOfView = 0.42;
-const kMoments = 16; // at which the extent is measured
+const kMargin = 0.92; // of the view that the sphere around everything fills, at home
+const kMoments = 16; // at which the place is measured
 
 export class Scene {
   hovered = -1;
@@ -42,7 +46,7 @@ export class Scene {
   private readonly raster = new Raster();
   private readonly surfaces: Surfaces;
   private readonly buffer = document.createElement('canvas');
-  private readonly extents: Extent[] = [];
+  private readonly places: Place[] = [];
   private readonly typicalSide: number;
   private quality = 1; // of pictures in motion; lowered where drawing is slow
   private pending = 0;
@@ -58,7 +62,7 @@ export class Scene {
     private readonly onHover: (panel: number) => void,
     private readonly onSelect: (panel: number) => void,
   ) {
-    for (let i = 0; i <= kMoments; i++) this.extents.push(this.measure(i / kMoments));
+    for (let i = 0; i <= kMoments; i++) this.places.push(this.placeAt(i / kMoments));
     this.typicalSide = model.typicalSide();
     this.surfaces = new Surfaces(model.data);
     this.listen();
@@ -103,7 +107,7 @@ export class Scene {
     this.idle = window.setTimeout(() => this.draw(2 * Math.min(2, Math.max(1, devicePixelRatio))), 120);
   }
 
-  private measure(time: number): Extent {
+  private placeAt(time: number): Place {
     const low: Vec = [Infinity, Infinity, Infinity];
     const high: Vec = [-Infinity, -Infinity, -Infinity];
     for (const points of this.model.positions(time)) {
@@ -112,20 +116,28 @@ export class Scene {
         high[i % 3] = Math.max(high[i % 3]!, points[i]!);
       }
     }
-    const centre = low.map((x, i) => (x + high[i]!) / 2) as Vec;
-    return { centre, radius: Math.hypot(...low.map((x, i) => high[i]! - x)) / 2 || 1, floor: low[2] };
+    return { centre: low.map((x, i) => (x + high[i]!) / 2) as Vec, floor: low[2] };
   }
-  private extent(): Extent {
+  // The centre glides from moment to moment; the radius is that of all panels as they are now.
+  private extent(poses: Pose[]): Extent {
     const at = this.time * kMoments;
     const i = Math.min(kMoments - 1, Math.floor(at));
     const s = at - i;
-    const a = this.extents[i]!;
-    const b = this.extents[i + 1]!;
-    return {
-      centre: a.centre.map((x, k) => (1 - s) * x + s * b.centre[k]!) as Vec,
-      radius: (1 - s) * a.radius + s * b.radius,
-      floor: (1 - s) * a.floor + s * b.floor,
-    };
+    const a = this.places[i]!;
+    const b = this.places[i + 1]!;
+    const centre = a.centre.map((x, k) => (1 - s) * x + s * b.centre[k]!) as Vec;
+    return { centre, radius: this.radiusAround(centre, poses), floor: (1 - s) * a.floor + s * b.floor };
+  }
+  private radiusAround(centre: Vec, poses: Pose[]): number {
+    const { panels, thickness } = this.model.data;
+    let radius = 0;
+    panels.forEach((outline, p) => {
+      for (let i = 0; i < outline.length; i += 2) {
+        const [x, y, z] = apply(poses[p]!, outline[i]!, outline[i + 1]!, 0);
+        radius = Math.max(radius, Math.hypot(x - centre[0], y - centre[1], z - centre[2]));
+      }
+    });
+    return radius + thickness / 2 || 1;
   }
 
   private aim(width: number, height: number, extent: Extent): (p: Vec) => Vec {
@@ -138,7 +150,7 @@ export class Scene {
     const distance = extent.radius / Math.sin(kFieldOfView / 2) / zoom;
     this.eye = extent.centre.map((x, i) => x + backward[i]! * distance) as Vec;
     this.axes = { right, up, backward };
-    const scale = (shorter * 0.66) / Math.tan(kFieldOfView / 2);
+    const scale = (kMargin * shorter) / 2 / Math.tan(kFieldOfView / 2);
     return (p) => {
       const q: Vec = [p[0] - this.eye[0], p[1] - this.eye[1], p[2] - this.eye[2]];
       const away = Math.max(1e-6 * extent.radius, -dot(q, backward));
@@ -152,9 +164,9 @@ export class Scene {
     const raster = this.raster;
     raster.resize(Math.max(1, Math.round(box.width * scale)), Math.max(1, Math.round(box.height * scale)));
     raster.clear();
-    const extent = this.extent();
-    const project = this.aim(raster.width, raster.height, extent);
     const poses = this.model.poses(this.time);
+    const extent = this.extent(poses);
+    const project = this.aim(raster.width, raster.height, extent);
     this.drawPanels(poses, project, scale);
     if (this.showLines) this.drawLines(poses, project, scale, extent.radius);
     this.present();

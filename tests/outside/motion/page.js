@@ -30,6 +30,7 @@ async function drive(name) {
   await theSliderMovesThePanels(page, name, expected);
   await theKeyboardReachesEverything(page);
   await theViewsAreLinked(page);
+  await nothingIsClipped(page, name);
   await itFitsASmallScreen(page, name);
   assert.deepEqual(complaints, []);
   await page.close();
@@ -106,6 +107,28 @@ async function theViewsAreLinked(page) {
   const nameless = await page.$$eval('button, input, select, a', (all) => all.filter((element) =>
     !(element.getAttribute('aria-label') || element.textContent.trim() || element.closest('label'))).length);
   assert.equal(nameless, 0, 'controls without a name');
+}
+
+// The outermost pixels of the view stay empty, whatever its shape and the moment.
+async function nothingIsClipped(page, name) {
+  for (const size of [{ width: 1280, height: 800 }, { width: 800, height: 1100 }]) {
+    await page.setViewportSize(size);
+    for (const time of [0, 0.25, 0.5, 0.75, 1]) {
+      await page.evaluate((now) => window.plico.setTime(now), time);
+      await page.waitForTimeout(200);  // the fine picture comes when nothing moves
+      const clipped = await page.$eval('#space', (canvas) => {
+        const { width, height } = canvas;
+        const copy = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
+        copy.drawImage(canvas, 0, 0);
+        const { data } = copy.getImageData(0, 0, width, height);
+        return data.some((alpha, i) => {
+          const x = (i >> 2) % width, y = Math.floor((i >> 2) / width);
+          return i % 4 === 3 && alpha > 0 && (x === 0 || y === 0 || x === width - 1 || y === height - 1);
+        });
+      });
+      assert.ok(!clipped, `${name} is clipped at ${time} of the motion at ${size.width} x ${size.height}`);
+    }
+  }
 }
 
 async function itFitsASmallScreen(page, name) {
