@@ -16,6 +16,8 @@ const byId = <T extends Element>(id: string): T => document.getElementById(id) a
 const data = JSON.parse(byId<HTMLScriptElement>('plico-data').textContent!) as PageData;
 const model = new Model(data);
 
+const kLinksInRow = 5;
+
 function look(): Look {
   const style = getComputedStyle(document.documentElement);
   const rgb = (name: string): Rgb => {
@@ -85,12 +87,28 @@ function fillHeader(): void {
   element.title = title;
   element.querySelector('b')!.textContent = sign;
   element.querySelector('span')!.textContent = text;
-  const links = byId<HTMLElement>('links');
-  for (const { label, href } of data.links) {
-    const link = links.appendChild(document.createElement('a'));
-    link.textContent = label;
-    link.href = href;
-  }
+  fillLinks();
+}
+
+// Files of which there is one of a kind fit in the header's row; pages, of which there may be dozens, are folded away.
+function fillLinks(): void {
+  const kind = (href: string): string => href.slice(href.lastIndexOf('.') + 1);
+  const count = new Map<string, number>();
+  for (const { href } of data.links) count.set(kind(href), (count.get(kind(href)) ?? 0) + 1);
+  const shown = data.links.filter(({ href }) => count.get(kind(href)) === 1).slice(0, kLinksInRow);
+  const rest = data.links.filter((link) => !shown.includes(link));
+  const more = byId<HTMLDetailsElement>('more');
+  for (const link of shown) more.before(anchor(link));
+  more.hidden = rest.length === 0;
+  more.querySelector('summary')!.textContent = `${rest.length} ${shown.length ? 'more ' : ''}${rest.length === 1 ? 'file' : 'files'}`;
+  more.querySelector('div')!.append(...rest.map(anchor));
+}
+function anchor({ label, href }: PageData['links'][number]): HTMLAnchorElement {
+  const link = document.createElement('a');
+  link.textContent = label;
+  link.title = label;
+  link.href = href;
+  return link;
 }
 
 function fillReport(): void {

@@ -30,6 +30,7 @@ async function drive(name) {
   await theSliderMovesThePanels(page, name, expected);
   await theKeyboardReachesEverything(page);
   await theViewsAreLinked(page);
+  await theHeaderIsOneRow(page, name);
   await nothingIsClipped(page, name);
   await itFitsASmallScreen(page, name);
   assert.deepEqual(complaints, []);
@@ -107,6 +108,21 @@ async function theViewsAreLinked(page) {
   const nameless = await page.$$eval('button, input, select, a', (all) => all.filter((element) =>
     !(element.getAttribute('aria-label') || element.textContent.trim() || element.closest('label'))).length);
   assert.equal(nameless, 0, 'controls without a name');
+}
+
+// However many files there are, they leave the views their place, and each can be reached.
+async function theHeaderIsOneRow(page, name) {
+  await page.setViewportSize({ width: 1280, height: 800 });
+  const high = await page.$eval('header', (header) => header.getBoundingClientRect().height);
+  assert.ok(high < 50, `the header of ${name} is ${high} pixels high`);
+  const [links, shown] = await page.evaluate(() => {
+    const all = [...document.querySelectorAll('#links a')];
+    document.querySelector('#more').open = true;
+    const seen = all.filter((link) => link.getClientRects().length > 0).length;
+    document.querySelector('#more').open = false;
+    return [JSON.parse(document.querySelector('#plico-data').textContent).links.length, seen];
+  });
+  assert.equal(shown, links, `links of ${name} that can be reached`);
 }
 
 // The outermost pixels of the view stay empty, whatever its shape and the moment.

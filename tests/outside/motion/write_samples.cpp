@@ -128,6 +128,12 @@ std::string page(const Sample& sample) {
   input.linkage = sample.linkage;
   input.path = sample.path;
   input.report = R"({"panels": 3, "proof": {"status": "free"}})";
+  input.links = {{sample.name + ".pdf", sample.name + ".pdf"}, {sample.name + ".fold", sample.name + ".fold"}};
+  for (int i = 1; i <= 30; ++i)
+    for (const char* kind : {"svg", "dxf"}) {
+      const std::string file = fmt::format("{}-{}.{}", sample.name, i, kind);
+      input.links.emplace_back(file, file);
+    }
   return viewer_page(input);
 }
 
