@@ -11,6 +11,7 @@
 #include "plico/unfold/foldable.h"
 #include "plico/unfold/heuristics.h"
 #include "plico/unfold/search.h"
+#include "plico/verify/net.h"
 
 namespace plico {
 namespace {
@@ -104,11 +105,14 @@ bool look_at_all_trees(const Mesh& mesh, const PanelKit& kit, FoldingLaw law, do
   run.report("looking at every spanning tree", 0);
   bool any_clear = false;
   const auto proves_free = [&](const std::vector<char>& joined) {
-    any_clear = true;
     FoldForest tree{std::vector<char>(mesh.num_edges(), 0)};
     for (int h = 0; h < mesh.num_halfedges(); ++h)
       if (joined[h]) tree.is_fold[mesh.edge(HalfedgeId(h))] = 1;
-    const Linkage linkage = linkage_of(lay_flat(mesh, tree));
+    const Unfolding net = lay_flat(mesh, tree);
+    // Motions are judged with panels drawn in by the clearance, so a tree whose flat panels overlap by less is clear.
+    if (!verify_net(net, mesh).valid()) return false;
+    any_clear = true;
+    const Linkage linkage = linkage_of(net);
     if (prove_path(linkage, path_by(law, linkage), {.clearance = clearance}, run).verdict != PathVerdict::Free)
       return false;
     found.tree = std::move(tree);

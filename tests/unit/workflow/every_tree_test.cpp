@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "plico/base/error.h"
 #include "plico/motion/clear_trees.h"
@@ -55,6 +56,21 @@ TEST(ClearTrees, VisitsEverySpanningTreeOnce) {
                                             });
   EXPECT_EQ(visits, 1);
   EXPECT_TRUE(trees.complete);
+}
+
+// Six triangles around a vertex, corners up and down in turn: the angles there sum up to 2 pi and 5e-4, so that every
+// tree overlaps, but by less than the clearance with which motions are judged.
+TEST(FoldableNet, AnOverlapShallowerThanTheClearanceIsNoNet) {
+  PolygonSoup saddle;
+  saddle.points.emplace_back(0, 0, 0);
+  for (int i = 0; i < 6; ++i)
+    saddle.points.emplace_back(std::cos(i * kPi / 3), std::sin(i * kPi / 3), i % 2 ? 0.007 : -0.007);
+  for (int i = 0; i < 6; ++i) saddle.add_face({0, 1 + i, 1 + (i + 1) % 6});
+  const Mesh mesh(saddle);
+  const FoldableNet found = find_foldable_net(mesh);
+  EXPECT_EQ(found.ending, Ending::Exhausted);
+  EXPECT_TRUE(found.proven_impossible);
+  EXPECT_TRUE(verify_net(lay_flat(mesh, found.tree), mesh).valid());
 }
 
 TEST(ClearTrees, NoNetOfTheSpikyCubeFoldsLinearlyButAPlannerFoldsOne) {
