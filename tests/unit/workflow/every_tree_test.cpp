@@ -67,7 +67,7 @@ TEST(FoldableNet, AnOverlapShallowerThanTheClearanceIsNoNet) {
     saddle.points.emplace_back(std::cos(i * kPi / 3), std::sin(i * kPi / 3), i % 2 ? 0.007 : -0.007);
   for (int i = 0; i < 6; ++i) saddle.add_face({0, 1 + i, 1 + (i + 1) % 6});
   const Mesh mesh(saddle);
-  const FoldableNet found = find_foldable_net(mesh);
+  const FoldableNet found = find_foldable_net(mesh, {.max_steps = 100});
   EXPECT_EQ(found.ending, Ending::Exhausted);
   EXPECT_TRUE(found.proven_impossible);
   EXPECT_TRUE(verify_net(lay_flat(mesh, found.tree), mesh).valid());
