@@ -3,6 +3,8 @@
 #include <bit>
 #include <cmath>
 
+#include "plico/base/libm.h"
+
 namespace plico {
 namespace {
 
@@ -46,7 +48,7 @@ double Rng::uniform(double low, double high) { return low + (high - low) * unifo
 double Rng::normal() {
   for (;;) {
     const double x = uniform(-1, 1), y = uniform(-1, 1), r = x * x + y * y;
-    if (r > 0 && r < 1) return x * std::sqrt(-2 * std::log(r) / r);
+    if (r > 0 && r < 1) return x * std::sqrt(-2 * plico::log(r) / r);
   }
 }
 

@@ -17,7 +17,15 @@ constexpr double degrees(double radians) { return radians * (180 / kPi); }
 inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 inline Vec2 perpendicular(const Vec2& a) { return {-a.y(), a.x()}; }  // turned left by 90 degrees
 
-// The rigid motion that turns by `angle` radians, right-handed, about the line through `from` and `to`.
-Pose rotation_about(const Vec3& from, const Vec3& to, double angle);
+// Turns by `angle` radians, right-handed, about a unit vector. In Eigen's own the last bit depends on the processor
+// (base/libm.h).
+Eigen::Matrix3d rotation(const Vec3& axis, double angle);
+Eigen::Matrix2d rotation(double angle);  // of the plane, counterclockwise
+Eigen::Quaterniond quaternion(const Vec3& axis, double angle);
+// The rotation `share` of the way from `a` to `b` along the shorter arc, at constant speed.
+Eigen::Quaterniond slerp(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b, double share);
+
+// The rigid motion that turns by `angle` radians, right-handed, about the line through `from` along a unit vector.
+Pose rotation_about(const Vec3& from, const Vec3& axis, double angle);
 
 }  // namespace plico

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 #include <optional>
 
 #include "plico/base/error.h"
+#include "plico/base/libm.h"
 #include "plico/fabricate/pieces.h"
 #include "plico/fabricate/place.h"
 #include "plico/geom/polygon.h"
@@ -19,8 +19,7 @@ namespace {
 using Box = std::array<Vec2, 4>;
 
 Box box_around(const Vec2& center, double angle, const Vec2& size) {
-  const Vec2 u = Eigen::Rotation2Dd(angle) * Vec2(size.x() / 2, 0),
-             v = Eigen::Rotation2Dd(angle) * Vec2(0, size.y() / 2);
+  const Vec2 u = rotation(angle) * Vec2(size.x() / 2, 0), v = rotation(angle) * Vec2(0, size.y() / 2);
   return {center - u - v, center + u - v, center + u + v, center - u + v};
 }
 
@@ -128,14 +127,14 @@ class Labeller {
     const Vec2 base = (tab.corners[0] + tab.corners[1]) / 2, tip = (tab.corners[2] + tab.corners[3]) / 2;
     const Vec2 along = tab.corners[1] - tab.corners[0];
     const std::vector<Vec2> area{tab.corners[1], tab.corners[0], tab.corners[3], tab.corners[2]};
-    return write_in(part, area, text, base + 0.47 * (tip - base), std::atan2(along.y(), along.x()), size);
+    return write_in(part, area, text, base + 0.47 * (tip - base), plico::atan2(along.y(), along.x()), size);
   }
 
   // Along the edge, a little inside; in the middle or towards an end.
   bool write_in_panel(PlacedPart& part, const PlacedPanel& panel, int side, const std::string& text, double size) {
     const Vec2 &a = panel.corners[side], &b = panel.corners[(side + 1) % panel.corners.size()];
     const Vec2 along = (b - a).normalized(), in = perpendicular(along);
-    const double half = room_for(text, size).y() / 2, angle = std::atan2(along.y(), along.x());
+    const double half = room_for(text, size).y() / 2, angle = plico::atan2(along.y(), along.x());
     for (double away : {half + 0.35, half + 1.0})
       for (double at : {0.5, 0.4, 0.6, 0.3, 0.7})
         if (write_in(part, panel.corners, text, a + at * (b - a) + away * in, angle, size)) return true;
@@ -152,7 +151,7 @@ class Labeller {
     const Vec2 start = (a + b) / 2 + 0.4 * out;
     for (double distance : {2.0, 3.5, 5.0, 7.0}) {
       for (double turn : {0.0, 0.5, -0.5, 1.0, -1.0}) {
-        const Vec2 way = Eigen::Rotation2Dd(turn) * out, end = start + distance * way;
+        const Vec2 way = rotation(turn) * out, end = start + distance * way;
         const Vec2 center = end + Vec2(way.x() * room.x() / 2, way.y() * room.y() / 2);
         const Box box = box_around(center, 0, room), line = thin(start, end);
         if (!on_page(box, part.page) || paper_.overlaps(box, part.page) || paper_.overlaps(line, part.page)) continue;
@@ -169,7 +168,7 @@ class Labeller {
 
   static Box thin(const Vec2& a, const Vec2& b) {
     const Vec2 along = b - a;
-    return box_around((a + b) / 2, std::atan2(along.y(), along.x()), {along.norm(), 0.3});
+    return box_around((a + b) / 2, plico::atan2(along.y(), along.x()), {along.norm(), 0.3});
   }
 
   bool on_page(const Box& box, int page) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plico/base/libm.h"
 #include "plico/fabricate/pieces.h"
 
 namespace plico {
@@ -26,10 +27,10 @@ void add_square(PlacedPart& part, const PlacedPanel& panel, int i) {
   const int n = static_cast<int>(panel.corners.size());
   const Vec2& at = panel.corners[i];
   const Vec2 out = (corner(panel, i + 1) - at).normalized(), in = (corner(panel, i + n - 1) - at).normalized();
-  const double half = std::atan2(cross(out, in), out.dot(in)) / 2;
-  const Vec2 bisector = Eigen::Rotation2Dd(half < 0 ? half + kPi : half) * out, across = perpendicular(bisector);
+  const double half = plico::atan2(cross(out, in), out.dot(in)) / 2;
+  const Vec2 bisector = rotation(half < 0 ? half + kPi : half) * out, across = perpendicular(bisector);
   for (double side = kSquare; side > 0.6; side *= 0.8) {
-    const double nearest = side / 2 / std::max(0.2, std::tan(std::min(std::abs(half), 1.4))) + 0.3;
+    const double nearest = side / 2 / std::max(0.2, plico::tan(std::min(std::abs(half), 1.4))) + 0.3;
     const Vec2 a = at + nearest * bisector - side / 2 * across;
     std::vector<Vec2> square{a, a + side * bisector, a + side * (bisector + across), a + side * across};
     std::ranges::reverse(square);

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "plico/base/error.h"
+#include "plico/base/libm.h"
 #include "plico/fabricate/cells.h"
 #include "plico/fabricate/split.h"
 #include "plico/geom/polygon.h"
@@ -25,7 +26,7 @@ struct Turned {
 };
 
 Eigen::AlignedBox2d turned_box(const PlaceItem& item, double angle) {
-  const Eigen::Rotation2Dd turn(angle);
+  const Eigen::Matrix2d turn = rotation(angle);
   Eigen::AlignedBox2d box;
   for (const Vec2& p : item.hull) box.extend(turn * p);
   return box;
@@ -35,7 +36,7 @@ Turned turned(const PlaceItem& item, double angle) {
   const Eigen::AlignedBox2d box = turned_box(item, angle);
   Turned t{angle, box.min(), box.sizes(),
            Cells(static_cast<int>(box.sizes().x() / kCell) + 2, static_cast<int>(box.sizes().y() / kCell) + 2)};
-  const Eigen::Rotation2Dd turn(angle);
+  const Eigen::Matrix2d turn = rotation(angle);
   std::vector<Vec2> moved;
   for (const auto& piece : item.pieces) {
     moved.clear();
@@ -92,7 +93,7 @@ class PageFiller {
     const Vec2 at = (room_ - t.size).cwiseMax(0).cwiseProduct(Vec2(0.5, 1));
     taken_ = Cells(taken_.width(), taken_.height());
     std::vector<Vec2> moved;
-    const Eigen::Rotation2Dd turn(angle);
+    const Eigen::Matrix2d turn = rotation(angle);
     for (const auto& piece : item.pieces) {
       moved.clear();
       for (const Vec2& p : piece) moved.push_back((turn * p - t.corner + at) / kCell);
@@ -169,14 +170,14 @@ std::optional<double> grain(const PlaceItem& item) {
   for (const auto& piece : item.pieces) {
     for (std::size_t i = 0; i < piece.size(); ++i) {
       const Vec2 side = piece[(i + 1) % piece.size()] - piece[i];
-      const double angle = 4 * std::atan2(side.y(), side.x()), length = side.norm();
-      x += length * std::cos(angle);
-      y += length * std::sin(angle);
+      const double angle = 4 * plico::atan2(side.y(), side.x()), length = side.norm();
+      x += length * plico::cos(angle);
+      y += length * plico::sin(angle);
       all += length;
     }
   }
-  if (std::hypot(x, y) < 0.6 * all) return std::nullopt;
-  return std::atan2(y, x) / 4;
+  if (plico::hypot(x, y) < 0.6 * all) return std::nullopt;
+  return plico::atan2(y, x) / 4;
 }
 
 // Rotations to try: along the grain or the least rectangle, then in between; fewer when there are many parts.

@@ -24,7 +24,7 @@ struct Placement {
   double angle = 0;           // first turned about the origin,
   Vec2 shift = Vec2::Zero();  // then moved
 
-  Vec2 operator()(const Vec2& p) const { return Eigen::Rotation2Dd(angle) * p + shift; }
+  Vec2 operator()(const Vec2& p) const { return rotation(angle) * p + shift; }
 };
 
 struct Placed {

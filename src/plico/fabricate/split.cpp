@@ -1,15 +1,15 @@
 #include "plico/fabricate/split.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "plico/base/libm.h"
 #include "plico/geom/polygon.h"
 
 namespace plico {
 namespace {
 
 Vec2 extent(std::span<const Vec2> hull, double angle) {
-  const Eigen::Rotation2Dd turn(angle);
+  const Eigen::Matrix2d turn = rotation(angle);
   Eigen::AlignedBox2d box;
   for (const Vec2& p : hull) box.extend(turn * p);
   return box.sizes();
@@ -21,7 +21,7 @@ void each_angle(std::span<const Vec2> hull, Visit visit) {
   if (visit(0.0)) return;
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const Vec2 side = hull[(i + 1) % hull.size()] - hull[i];
-    const double angle = -std::atan2(side.y(), side.x());
+    const double angle = -plico::atan2(side.y(), side.x());
     if (visit(angle) || visit(angle + kPi / 2)) return;
   }
   for (int i = 1; i < 36; ++i)

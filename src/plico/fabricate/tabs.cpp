@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "plico/base/error.h"
+#include "plico/base/libm.h"
 #include "plico/fabricate/pieces.h"
 #include "plico/geom/polygon.h"
 
@@ -43,7 +43,7 @@ std::vector<Trim> trims() {
   return all;
 }
 
-double slope(double angle) { return 1 / std::tan(angle); }
+double slope(double angle) { return 1 / plico::tan(angle); }
 
 // Points above the edge from a to b, `out` being its unit normal on the side of the tab.
 std::array<Vec2, 4> raise(const Vec2& a, const Vec2& b, const Vec2& out, const Trapezoid& t) {
@@ -164,7 +164,7 @@ class TabMaker {
     const std::size_t n = face.size(), at = static_cast<std::size_t>(i) % n;
     const Vec2& p = net_.sheet.vertices[face[at]];
     const Vec2 in = net_.sheet.vertices[face[(at + n - 1) % n]] - p, out = net_.sheet.vertices[face[(at + 1) % n]] - p;
-    const double angle = std::atan2(cross(out, in), out.dot(in));
+    const double angle = plico::atan2(cross(out, in), out.dot(in));
     return angle < 0 ? angle + 2 * kPi : angle;
   }
 

@@ -172,11 +172,7 @@ void folding_map(const Linkage& linkage, const Configuration& config, std::vecto
     const Hinge& hinge = linkage.hinges[h];
     // Turning the right panel up (a valley) is a left-handed turn about from -> to.
     const double angle = p == hinge.right ? -config[h] : config[h];
-    const Pose& parent = poses[linkage.parent_panel[p]];
-    const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, (hinge.to - hinge.from).normalized()).toRotationMatrix();
-    poses[p].linear().noalias() = parent.linear() * turn;
-    poses[p].translation() = parent.linear() * (hinge.from - turn * hinge.from) + parent.translation();
-    poses[p].makeAffine();
+    poses[p] = poses[linkage.parent_panel[p]] * rotation_about(hinge.from, (hinge.to - hinge.from).normalized(), angle);
   }
 }
 

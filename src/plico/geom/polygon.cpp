@@ -4,6 +4,7 @@
 #include <limits>
 #include <numeric>
 
+#include "plico/base/libm.h"
 #include "plico/geom/predicates.h"
 
 namespace plico {
@@ -71,7 +72,7 @@ bool is_convex(std::span<const Vec2> polygon) {
   for (std::size_t i = 0; i < n; ++i) {
     const Vec2 &a = polygon[i], &b = polygon[(i + 1) % n], &c = polygon[(i + 2) % n];
     if (orient2d(a, b, c) < 0) return false;
-    turned += std::atan2(cross(Vec2(b - a), Vec2(c - b)), (b - a).dot(c - b));
+    turned += plico::atan2(cross(Vec2(b - a), Vec2(c - b)), (b - a).dot(c - b));
   }
   return turned < 3 * kPi;
 }
@@ -124,7 +125,7 @@ TurnedRectangle least_area_rectangle(std::span<const Vec2> hull) {
     const Vec2 size = box_along(hull, along.normalized()).sizes();
     if (size.prod() >= least) continue;
     least = size.prod();
-    best = {std::atan2(along.y(), along.x()), size};
+    best = {plico::atan2(along.y(), along.x()), size};
   }
   return best;
 }

@@ -1,6 +1,6 @@
 #include "plico/mesh/measures.h"
 
-#include <cmath>
+#include "plico/base/libm.h"
 
 namespace plico {
 namespace {
@@ -42,7 +42,7 @@ double corner_angle(const Mesh& mesh, HalfedgeId h) {
   const Vec3& p = mesh.point(mesh.from(h));
   const Vec3 out = mesh.point(mesh.to(h)) - p, in = mesh.point(mesh.from(mesh.prev(h))) - p;
   const Vec3 turn = out.cross(in);
-  const double angle = std::atan2(turn.norm(), out.dot(in));
+  const double angle = plico::atan2(turn.norm(), out.dot(in));
   // A reflex corner of a polygon turns against the face's normal.
   const bool reflex = mesh.degree(mesh.face(h)) > 3 && turn.dot(normal(mesh, mesh.face(h))) < 0;
   return reflex ? 2 * kPi - angle : angle;
@@ -53,7 +53,7 @@ double fold_angle(const Mesh& mesh, EdgeId edge) {
   if (!g.valid()) return 0;
   const Vec3 along = (mesh.point(mesh.to(h)) - mesh.point(mesh.from(h))).normalized();
   const Vec3 n1 = normal(mesh, mesh.face(h)), n2 = normal(mesh, mesh.face(g));
-  return -std::atan2(n1.cross(n2).dot(along), n1.dot(n2));
+  return -plico::atan2(n1.cross(n2).dot(along), n1.dot(n2));
 }
 
 double angle_sum(const Mesh& mesh, VertexId v) {

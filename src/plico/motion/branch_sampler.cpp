@@ -11,7 +11,7 @@
 namespace plico {
 namespace {
 
-Pose turn_about_x(double angle) { return Pose(Eigen::AngleAxisd(angle, Vec3::UnitX())); }
+Pose turn_about_x(double angle) { return rotation_about(Vec3::Zero(), Vec3::UnitX(), angle); }
 
 // Box of some corners, rounded outward.
 struct FloatBox {

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "plico/base/error.h"
+#include "plico/base/libm.h"
 #include "plico/origami/loop_walk.h"
 
 namespace plico {
@@ -128,7 +129,7 @@ std::vector<RealVertex> real_vertices(const CreasePattern& sheet) {
   for (int v = 0; v < sheet.num_vertices(); ++v) {
     std::vector<int>& spokes = edges[v];
     if (spokes.empty() || std::any_of(spokes.begin(), spokes.end(), [&](int e) { return hinge[e] < 0; })) continue;
-    const auto turn = [&](int e) { return std::atan2(direction(e, v).y(), direction(e, v).x()); };
+    const auto turn = [&](int e) { return plico::atan2(direction(e, v).y(), direction(e, v).x()); };
     std::sort(spokes.begin(), spokes.end(), [&](int e, int f) { return turn(e) < turn(f); });
     RealVertex& vertex = result.emplace_back();
     vertex.vertex = v;

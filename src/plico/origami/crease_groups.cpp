@@ -9,6 +9,7 @@
 #include <set>
 
 #include "plico/base/error.h"
+#include "plico/base/libm.h"
 #include "plico/origami/closure.h"
 
 namespace plico {
@@ -31,7 +32,7 @@ std::vector<Spoke> spokes_of(const RealVertex& vertex, const Linkage& linkage) {
     const int h = vertex.hinges[k];
     if (linkage.hinges[h].target == 0) continue;
     spokes.push_back({h, 0, rounded(std::abs(linkage.hinges[h].target)) * (linkage.hinges[h].target > 0 ? 1 : -1)});
-    angles.push_back(std::atan2(vertex.directions[k].y(), vertex.directions[k].x()));
+    angles.push_back(plico::atan2(vertex.directions[k].y(), vertex.directions[k].x()));
   }
   for (std::size_t k = 0; k < spokes.size(); ++k) {
     double sector = angles[(k + 1) % angles.size()] - angles[k];

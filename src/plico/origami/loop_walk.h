@@ -2,6 +2,7 @@
 #pragma once
 #include <cmath>
 
+#include "plico/base/libm.h"
 #include "plico/origami/closure.h"
 
 namespace plico {
@@ -23,7 +24,7 @@ Walk walk_around(const RealVertex& loop, const Configuration& config, Visit visi
     const Vec3 point =
         shifts ? Vec3(walk.turn * Vec3(loop.points[k].x(), loop.points[k].y(), 0) + walk.shift) : Vec3(Vec3::Zero());
     visit(k, axis, point);
-    const Eigen::Quaterniond turn(Eigen::AngleAxisd(config[loop.hinges[k]], axis));
+    const Eigen::Quaterniond turn = quaternion(axis, config[loop.hinges[k]]);
     walk.turn = turn * walk.turn;
     if (shifts) walk.shift = point + turn * (walk.shift - point);
   }
@@ -35,7 +36,7 @@ inline Vec3 rotation_log(const Eigen::Quaterniond& q) {
   const double sine = q.vec().norm();
   if (sine == 0) return Vec3::Zero();
   const Vec3 axis = (q.w() < 0 ? -1.0 : 1.0) / sine * q.vec();
-  return 2 * std::atan2(sine, std::abs(q.w())) * axis;
+  return 2 * plico::atan2(sine, std::abs(q.w())) * axis;
 }
 
 // Writes num_equations() numbers.

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "plico/base/error.h"
+#include "plico/base/libm.h"
 #include "plico/origami/loop_walk.h"
 
 namespace plico {
@@ -62,7 +63,7 @@ class Objective {
     for (const RealVertex& loop : vertices_) {
       Eigen::Matrix<double, 6, 1> open = Eigen::Matrix<double, 6, 1>::Zero();
       write_residual(loop, walk_around(loop, config_, [](std::size_t, const Vec3&, const Vec3&) {}), open.data());
-      const double turn = 2 * std::sqrt(2.0) * std::sin(open.head<3>().norm() / 2), gap = open.tail<3>().norm();
+      const double turn = 2 * std::sqrt(2.0) * plico::sin(open.head<3>().norm() / 2), gap = open.tail<3>().norm();
       sum += squares_ ? turn * turn + gap * gap : turn + gap;
       worst = std::max(worst, open.norm());
     }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "plico/base/libm.h"
 #include "plico/fold/planar_faces.h"
 #include "plico/geom/predicates.h"
 #include "plico/origami/closure.h"
@@ -27,7 +28,7 @@ std::vector<int> edge_of_hinge(const CreasePattern& sheet) {
 }
 
 double turn(const Vec2& from, const Vec2& to) {  // counter-clockwise, in [0, 2 pi)
-  const double angle = std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
+  const double angle = plico::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
   return angle < 0 ? angle + 2 * kPi : angle;
 }
 

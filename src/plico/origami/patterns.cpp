@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "plico/base/error.h"
+#include "plico/base/libm.h"
 #include "plico/fold/planar_faces.h"
 
 namespace plico {
@@ -70,7 +71,7 @@ void check(const YoshimuraOptions& o) {
 
 // The angle whose half has `factor` times the tangent; exact at 0 and pi.
 double scaled_half_angle(double factor, double angle) {
-  return 2 * std::atan2(factor * std::sin(angle / 2), std::cos(angle / 2));
+  return 2 * plico::atan2(factor * plico::sin(angle / 2), plico::cos(angle / 2));
 }
 
 bool is_waterbomb_centre(int x, int y) { return y % 2 == 1 && (x + (y - 1) / 2) % 2 == 1; }
@@ -80,10 +81,10 @@ bool is_waterbomb_centre(int x, int y) { return y % 2 == 1 && (x + (y - 1) / 2) 
 CreasePattern miura(const MiuraOptions& options) {
   check(options);
   const int n = options.columns, m = options.rows;
-  const double straight = scaled_half_angle(std::cos(options.sector), options.zigzag_angle);
+  const double straight = scaled_half_angle(plico::cos(options.sector), options.zigzag_angle);
   Grid grid(n, m);
   for (int y = 0; y <= m; ++y) {
-    const double shift = y % 2 == 1 ? options.height / std::tan(options.sector) : 0;
+    const double shift = y % 2 == 1 ? options.height / plico::tan(options.sector) : 0;
     for (int x = 0; x <= n; ++x) grid.at(x, y) = Vec2(x * options.width + shift, y * options.height);
   }
   for (int y = 0; y < m; ++y)
@@ -126,10 +127,10 @@ CreasePattern yoshimura(const YoshimuraOptions& options) {
   check(options);
   const int n = options.columns, m = options.rows;
   const double d = options.diagonal_angle;
-  const double straight = scaled_half_angle(std::cos(options.sector), d);
+  const double straight = scaled_half_angle(plico::cos(options.sector), d);
   Grid grid(n, m);
   for (int y = 0; y <= m; ++y)
-    for (int x = 0; x <= n; ++x) grid.at(x, y) = Vec2(x + (y % 2) * 0.5, y * std::tan(options.sector) / 2);
+    for (int x = 0; x <= n; ++x) grid.at(x, y) = Vec2(x + (y % 2) * 0.5, y * plico::tan(options.sector) / 2);
   for (int y = 0; y < m; ++y) {
     for (int x = 1; x < n; ++x) grid.crease(x, y, x, y + 1, -d);
     for (int x = 0; x < n; ++x) grid.crease(x + 1 - y % 2, y, x + y % 2, y + 1, -d);
@@ -140,8 +141,8 @@ CreasePattern yoshimura(const YoshimuraOptions& options) {
 }
 
 double yoshimura_tube_angle(int columns, double sector) {
-  const double sine = std::sin(kPi / (2 * std::max(1, columns))) / std::sin(sector);
-  return sine < 1 ? 2 * std::asin(sine) : kPi;
+  const double sine = plico::sin(kPi / (2 * std::max(1, columns))) / plico::sin(sector);
+  return sine < 1 ? 2 * plico::asin(sine) : kPi;
 }
 
 }  // namespace plico

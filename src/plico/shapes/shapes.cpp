@@ -8,6 +8,7 @@
 #include <map>
 
 #include "plico/base/error.h"
+#include "plico/base/libm.h"
 #include "plico/mesh/measures.h"
 
 namespace plico {
@@ -48,7 +49,7 @@ Points joined(Points a, const Points& b) {
 // Counter-clockwise seen from the tip of `axis`.
 void sort_around(const Vec3& axis, const Points& points, std::vector<int>& corners) {
   const Vec3 n = axis.normalized(), u = n.unitOrthogonal(), v = n.cross(u);
-  const auto angle = [&](int i) { return std::atan2(points[i].dot(v), points[i].dot(u)); };
+  const auto angle = [&](int i) { return plico::atan2(points[i].dot(v), points[i].dot(u)); };
   std::sort(corners.begin(), corners.end(), [&](int a, int b) { return angle(a) < angle(b); });
 }
 
@@ -111,7 +112,7 @@ PolygonSoup two_rings(int n, double lower_turn, double height) {
   for (int ring = 0; ring < 2; ++ring) {
     for (int i = 0; i < n; ++i) {
       const double angle = 2 * kPi * i / n + (ring == 0 ? lower_turn : 0);
-      soup.points.emplace_back(std::cos(angle), std::sin(angle), (ring - 0.5) * height);
+      soup.points.emplace_back(plico::cos(angle), plico::sin(angle), (ring - 0.5) * height);
     }
   }
   std::vector<int> bottom, top;
@@ -147,7 +148,7 @@ PolygonSoup icosahedron() {
 PolygonSoup truncated(const Mesh& solid, int degree) {
   require("degree", degree, 3, 1'000'000);
   require_closed(solid);
-  const double t = 1 / (2 + 2 * std::cos(kPi / degree));
+  const double t = 1 / (2 + 2 * plico::cos(kPi / degree));
   PolygonSoup cut;
   for (HalfedgeId h : IdRange<HalfedgeId>(solid.num_halfedges())) {
     const Vec3 &a = solid.point(solid.from(h)), &b = solid.point(solid.to(h));
@@ -198,14 +199,14 @@ PolygonSoup spiked(const Mesh& solid, double leg) {
 
 PolygonSoup prism(int n) {
   require("n", n, 3, 1'000'000);
-  PolygonSoup soup = two_rings(n, 0, 2 * std::sin(kPi / n));
+  PolygonSoup soup = two_rings(n, 0, 2 * plico::sin(kPi / n));
   for (int i = 0; i < n; ++i) soup.add_face({i, (i + 1) % n, n + (i + 1) % n, n + i});
   return soup;
 }
 
 PolygonSoup antiprism(int n) {
   require("n", n, 3, 1'000'000);
-  const double side = 2 * std::sin(kPi / n), shift = 2 * std::sin(kPi / (2 * n));
+  const double side = 2 * plico::sin(kPi / n), shift = 2 * plico::sin(kPi / (2 * n));
   PolygonSoup soup = two_rings(n, kPi / n, std::sqrt(side * side - shift * shift));
   for (int i = 0; i < n; ++i) {
     soup.add_face({i, n + (i + 1) % n, n + i});
@@ -240,8 +241,8 @@ PolygonSoup torus(int n, int m, double tube) {
   PolygonSoup soup;
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < m; ++j) {
-      const double around = 2 * kPi * i / n, up = 2 * kPi * j / m, r = 1 + tube * std::cos(up);
-      soup.points.emplace_back(r * std::cos(around), r * std::sin(around), tube * std::sin(up));
+      const double around = 2 * kPi * i / n, up = 2 * kPi * j / m, r = 1 + tube * plico::cos(up);
+      soup.points.emplace_back(r * plico::cos(around), r * plico::sin(around), tube * plico::sin(up));
     }
   }
   const auto at = [&](int i, int j) { return (i % n) * m + j % m; };

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "plico/base/error.h"
+#include "plico/base/libm.h"
 #include "plico/base/rng.h"
 #include "plico/unfold/dual_tree.h"
 
@@ -100,7 +101,7 @@ class Lane {
     const long across =
         options_.overlap_weight * static_cast<long>(tree_.overlaps_with_rest()) + motion_->cost_across(branch);
     // The worst that would be accepted, drawn before anything is counted.
-    const long bound = across + static_cast<long>(-std::log(1 - rng_.uniform()) * temperature());
+    const long bound = across + static_cast<long>(-plico::log(1 - rng_.uniform()) * temperature());
     const int most_overlaps = static_cast<int>(bound / options_.overlap_weight);
     const long overlaps = tree_.overlaps_if_hung(side, most_overlaps + 1, looked_);
     if (overlaps > most_overlaps) return;

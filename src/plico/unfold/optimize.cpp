@@ -1,10 +1,10 @@
 #include "plico/unfold/optimize.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 
 #include "plico/base/error.h"
+#include "plico/base/libm.h"
 #include "plico/base/rng.h"
 #include "plico/geom/polygon.h"
 #include "plico/mesh/measures.h"
@@ -100,7 +100,7 @@ class Annealing {
       if (!tree_) set_out();
       for (long step = done; step < std::min(steps, done + block); ++step) {
         const double cooling = static_cast<double>(step) / static_cast<double>(steps);
-        try_one(hot * std::pow(cold / hot, cooling) / n);
+        try_one(hot * plico::pow(cold / hot, cooling) / n);
       }
       keep_if_best();
     }
@@ -138,7 +138,7 @@ class Annealing {
     tree_->gather(panel);
     const int hangs_by = tree_->parent_side(panel), side = pick_side(hangs_by);
     if (side < 0) return;
-    const double bound = value_ - temperature * std::log(1 - rng_.uniform());
+    const double bound = value_ - temperature * plico::log(1 - rng_.uniform());
     NetFeatures next = now_;
     next.cut_length += edge_length_[mesh_.edge(HalfedgeId(hangs_by))] - edge_length_[mesh_.edge(HalfedgeId(side))];
     if (objective_.weight.longest_branch > 0) next.longest_branch = deepest_if_hung(side);

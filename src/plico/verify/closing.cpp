@@ -96,7 +96,7 @@ class Folder {
     const Vec2 a = net_.sheet.vertices[crease.a], along = (net_.sheet.vertices[crease.b] - a).normalized();
     // A valley lifts the other panel toward the front: for the panel right of a -> b that is a left-handed turn.
     const double angle = child == fold.right ? -crease.fold_angle : crease.fold_angle;
-    const Eigen::Quaterniond turn(Eigen::AngleAxisd(angle, Vec3(along.x(), along.y(), 0)));
+    const Eigen::Quaterniond turn = quaternion(Vec3(along.x(), along.y(), 0), angle);
     placement_[child] = {a, placement_[parent](a), (placement_[parent].turn * turn).normalized()};
   }
 

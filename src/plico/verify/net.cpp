@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "plico/base/error.h"
+#include "plico/base/libm.h"
 #include "plico/geom/polygon.h"
 #include "plico/verify/closing.h"
 
@@ -284,7 +285,7 @@ class NetCheck {
     const Vec3 along = mesh_.point(VertexId(net_.mesh_vertex[e.b])) - mesh_.point(VertexId(net_.mesh_vertex[e.a]));
     const Vec3 n1 = mesh_normal(FaceId(net_.mesh_face[fold.left])),
                n2 = mesh_normal(FaceId(net_.mesh_face[fold.right]));
-    const double angle = 2 * std::atan2((n1 - n2).norm(), (n1 + n2).norm());
+    const double angle = 2 * plico::atan2((n1 - n2).norm(), (n1 + n2).norm());
     const Vec3 away = along.cross(n2);  // in the right face, away from the edge
     return away.dot(n1) < 0 ? -angle : angle;
   }

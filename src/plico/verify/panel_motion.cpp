@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "plico/base/error.h"
+#include "plico/base/libm.h"
 
 namespace plico {
 
@@ -41,7 +42,7 @@ LinkageMotion::LinkageMotion(const Linkage& linkage, const FoldingPath& path)
     for (const Vec3& corner : linkage.panels[p]) sum += corner;
     link.center = sum / static_cast<double>(linkage.panels[p].size());
     for (const Vec3& corner : linkage.panels[p]) link.radius = std::max(link.radius, (corner - link.center).norm());
-    link.radius = std::hypot(link.radius, linkage.thickness / 2);
+    link.radius = plico::hypot(link.radius, linkage.thickness / 2);
     const int parent = link.parent = linkage.parent_panel[p];
     if (parent < 0) {
       link.pivot = link.center;
@@ -81,11 +82,7 @@ void LinkageMotion::place(double time, const std::vector<char>& wanted, std::vec
       continue;
     }
     const double angle = p == linkage_.hinges[h].right ? -config_[h] : config_[h];
-    const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, links_[p].axis).toRotationMatrix();
-    const Vec3& from = linkage_.hinges[h].from;
-    poses[p].linear().noalias() = poses[parent].linear() * turn;
-    poses[p].translation() = poses[parent].linear() * (from - turn * from) + poses[parent].translation();
-    poses[p].makeAffine();
+    poses[p] = poses[parent] * rotation_about(linkage_.hinges[h].from, links_[p].axis, angle);
   }
 }
 

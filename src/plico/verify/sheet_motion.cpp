@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plico/base/libm.h"
+
 namespace plico {
 namespace {
 
 constexpr double kRounding = 16 * 2.3e-16;  // of one step down a chain, relative: covers its dozen operations
 
 // Bad near zero is acos; this form is not.
-double angle_of(const Eigen::Quaterniond& q) { return 2 * std::atan2(q.vec().norm(), std::abs(q.w())); }
+double angle_of(const Eigen::Quaterniond& q) { return 2 * plico::atan2(q.vec().norm(), std::abs(q.w())); }
 double angle_of(const Eigen::Matrix3d& turn) { return angle_of(Eigen::Quaterniond(turn)); }
 
 double diagonal(const Linkage& linkage) {
@@ -29,7 +31,7 @@ SheetMotion::SheetMotion(const Linkage& linkage, const FoldingPath& path) : link
     center_.emplace_back(sum / static_cast<double>(panel.size()));
     double radius = 0;
     for (const Vec3& corner : panel) radius = std::max(radius, (corner - center_.back()).norm());
-    radius_.push_back(std::hypot(radius, linkage.thickness / 2));
+    radius_.push_back(plico::hypot(radius, linkage.thickness / 2));
   }
   double reach = 0;
   for (int p = 0; p < linkage.num_panels(); ++p) reach = std::max(reach, center_[p].norm() + radius_[p]);
@@ -55,7 +57,7 @@ void SheetMotion::measure_closing(int waypoint, const std::vector<Pose>& poses) 
     const Hinge& hinge = linkage_.hinges[h];
     const Pose &left = poses[hinge.left], &right = poses[hinge.right];
     const Vec3 axis = (hinge.to - hinge.from).normalized();
-    const Eigen::Matrix3d wanted = left.linear() * Eigen::AngleAxisd(-config[h], axis).toRotationMatrix();
+    const Eigen::Matrix3d wanted = left.linear() * rotation(axis, -config[h]);
     const double residual = angle_of(Eigen::Matrix3d(wanted.transpose() * right.linear()));
     for (const Vec3& end : {hinge.from, hinge.to})
       loops_.tear = std::max(loops_.tear, (left * end - right * end).norm());
@@ -110,7 +112,7 @@ SheetMotion::Stand SheetMotion::stand(int panel, const Moment& moment) const {
   const Stand &a = stands_[moment.before][panel], &b = stands_[moment.before + 1][panel];
   if (moment.share == 0) return a;
   if (moment.share == 1) return b;
-  return {a.turn.slerp(moment.share, b.turn), a.center + moment.share * (b.center - a.center)};
+  return {slerp(a.turn, b.turn, moment.share), a.center + moment.share * (b.center - a.center)};
 }
 
 void SheetMotion::place(double time, const std::vector<char>& wanted, std::vector<Pose>& poses) const {

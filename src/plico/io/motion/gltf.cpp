@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "plico/base/error.h"
+#include "plico/base/libm.h"
 #include "plico/io/motion/panel_joints.h"
 #include "plico/io/motion/panel_solid.h"
 
@@ -127,9 +128,9 @@ class GlbWriter {
   }
 
   static std::array<float, 4> quaternion(const Vec3& axis, double angle) {
-    const Vec3 v = std::sin(angle / 2) * axis;
+    const Vec3 v = plico::sin(angle / 2) * axis;
     return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()),
-            static_cast<float>(std::cos(angle / 2))};
+            static_cast<float>(plico::cos(angle / 2))};
   }
 
   void add_animation() {

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "plico/base/error.h"
+#include "plico/base/libm.h"
 #include "plico/io/motion/panel_solid.h"
 #include "plico/io/motion/png.h"
 
@@ -32,14 +33,14 @@ using Surfaces = std::vector<int>;
 class View {
  public:
   View(const Camera& camera, const std::vector<Vec3>& content, int width, int height) {
-    const double ca = std::cos(camera.azimuth), sa = std::sin(camera.azimuth);
-    const double ce = std::cos(camera.elevation), se = std::sin(camera.elevation);
+    const double ca = plico::cos(camera.azimuth), sa = plico::sin(camera.azimuth);
+    const double ce = plico::cos(camera.elevation), se = plico::sin(camera.elevation);
     backward_ = Vec3(sa * ce, -ca * ce, se);
     right_ = Vec3(ca, sa, 0);
     up_ = backward_.cross(right_);
-    const double high = std::tan(camera.field_of_view / 2) * 0.86;  // a margin around the content
+    const double high = plico::tan(camera.field_of_view / 2) * 0.86;  // a margin around the content
     fit(content, high * width / height, high);
-    scale_ = height / (2 * std::tan(camera.field_of_view / 2));
+    scale_ = height / (2 * plico::tan(camera.field_of_view / 2));
     middle_ = Vec2(width / 2.0, height / 2.0);
   }
 

@@ -16,7 +16,7 @@ Plate plate_around(const Linkage& linkage, int panel, const Vec3& origin, const 
   std::vector<Vec2> outline;
   for (const Vec3& p : linkage.panels[panel]) outline.push_back((p - origin).head<2>() * options.metres_per_unit);
   const TurnedRectangle rectangle = least_area_rectangle(convex_hull(outline));
-  const Eigen::Rotation2Dd turn(rectangle.angle);
+  const Eigen::Matrix2d turn = rotation(rectangle.angle);
   Vec2 low = turn.inverse() * outline.front(), high = low;
   for (const Vec2& p : outline) {
     const Vec2 q = turn.inverse() * p;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 
 #include "plico/fabricate/place.h"
@@ -97,7 +96,7 @@ class Drafter {
 
   void write_centered(const std::string& text, const Vec2& center, double angle, double size, PenIndex pen) {
     const Vec2 back(-font_.width(text, size) / 2, -Font::cap_height(size) / 2);
-    drawing_.texts.push_back({text, center + Eigen::Rotation2Dd(angle) * back, angle, size, pen});
+    drawing_.texts.push_back({text, center + rotation(angle) * back, angle, size, pen});
   }
 
   // Places of the key are in its own frame: origin at the lower left, x along the ruler.

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <iterator>
 
 #include "plico/font/font.h"
@@ -20,7 +19,7 @@ int color_number(const std::array<double, 3>& color) {
   int best = 7;
   double least = 10;
   for (const auto& c : kColors) {
-    const double d = std::pow(c.r - color[0], 2) + std::pow(c.g - color[1], 2) + std::pow(c.b - color[2], 2);
+    const double d = Vec3(c.r - color[0], c.g - color[1], c.b - color[2]).squaredNorm();
     if (d < least) least = d, best = c.number;
   }
   return best;
@@ -256,7 +255,7 @@ class DxfWriter {
     section("ENTITIES");
     const Font font;
     for (const Text& text : drawing_.texts) {
-      const Eigen::Rotation2Dd turn(text.angle);
+      const Eigen::Matrix2d turn = rotation(text.angle);
       for (std::vector<Vec2> outline : font.outlines(text.text, text.size)) {
         for (Vec2& p : outline) p = text.start + turn * p;
         polyline(outline, true, Layer::Text);

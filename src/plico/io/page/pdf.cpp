@@ -30,7 +30,9 @@ void show_text(cairo_t* context, const Text& text, const Pen& pen) {
   cairo_save(context);
   cairo_set_source_rgb(context, pen.color[0], pen.color[1], pen.color[2]);
   cairo_translate(context, text.start.x(), text.start.y());
-  cairo_rotate(context, text.angle);
+  const Eigen::Matrix2d turn = rotation(text.angle);  // cairo_rotate takes the sine of the machine's libm
+  const cairo_matrix_t matrix = {turn(0, 0), turn(1, 0), turn(0, 1), turn(1, 1), 0, 0};
+  cairo_transform(context, &matrix);
   cairo_scale(context, 1, -1);  // the page has y upwards, letters have not
   cairo_set_font_size(context, text.size);
   cairo_move_to(context, 0, 0);

@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "plico/base/libm.h"
+
 namespace plico {
 namespace {
 
@@ -59,13 +61,13 @@ std::optional<Eigen::Affine2d> one_transform(std::string_view name, const std::v
   const std::size_t n = a.size();
   if (name == "translate" && (n == 1 || n == 2)) return t.translate(Vec2(a[0], n == 2 ? a[1] : 0));
   if (name == "scale" && (n == 1 || n == 2)) return t.scale(Vec2(a[0], n == 2 ? a[1] : a[0]));
-  if (name == "rotate" && n == 1) return t.rotate(radians(a[0]));
+  if (name == "rotate" && n == 1) return t.rotate(rotation(radians(a[0])));
   if (name == "rotate" && n == 3) {
     const Vec2 centre(a[1], a[2]);
-    return t.translate(centre).rotate(radians(a[0])).translate(-centre);
+    return t.translate(centre).rotate(rotation(radians(a[0]))).translate(-centre);
   }
-  if (name == "skewX" && n == 1) return t.shear(std::tan(radians(a[0])), 0);
-  if (name == "skewY" && n == 1) return t.shear(0, std::tan(radians(a[0])));
+  if (name == "skewX" && n == 1) return t.shear(plico::tan(radians(a[0])), 0);
+  if (name == "skewY" && n == 1) return t.shear(0, plico::tan(radians(a[0])));
   if (name != "matrix" || n != 6) return {};
   t.matrix() << a[0], a[2], a[4], a[1], a[3], a[5], 0, 0, 1;
   return t;
