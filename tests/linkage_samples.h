@@ -55,4 +55,14 @@ inline FoldingPath path_through(const std::vector<std::pair<double, std::vector<
   return path;
 }
 
+// The vertices of the sheet at its goal, in the frame of panel 0.
+inline std::vector<Vec3> folded_vertices(const CreasePattern& sheet) {
+  const Linkage linkage = make_linkage(sheet);
+  const std::vector<Pose> poses = folding_map(linkage, goal(linkage));
+  std::vector<Vec3> folded(sheet.vertices.size());
+  for (int f = 0; f < sheet.num_faces(); ++f)
+    for (int v : sheet.faces[f]) folded[v] = poses[f] * Vec3(sheet.vertices[v].x(), sheet.vertices[v].y(), 0);
+  return folded;
+}
+
 }  // namespace plico

@@ -52,7 +52,7 @@ void print_result(const Session& session, const std::string& folder, const Craft
                             result.verdict.parts == 1 ? "part" : "parts",
                             result.verdict.valid() ? "verified free of overlap" : "NOT verified"));
   session.print(fmt::format("motion     {}\n", motion_text(result)));
-  session.print(human(result.layout.report));
+  session.print(layout_text(result.layout.report));
   session.print(fmt::format("files      {}: ", folder));
   for (const CraftFile& file : result.files) session.print(fmt::format("{} ", file.name));
   session.print("\n");

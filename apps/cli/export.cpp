@@ -40,7 +40,7 @@ struct ExportArgs {
 };
 
 // What every format is written from.
-struct Motion {
+struct LoadedMotion {
   FoldFile file;
   Linkage linkage;
   FoldingPath path;
@@ -51,8 +51,8 @@ std::string name_of(const std::string& path) {
   return path == "-" ? "sheet" : std::filesystem::path(path).stem().string();
 }
 
-Motion read_motion(const ExportArgs& args, Session& session) {
-  Motion motion{read_sheet(args.file, session), {}, {}, args.title};
+LoadedMotion read_motion(const ExportArgs& args, Session& session) {
+  LoadedMotion motion{read_sheet(args.file, session), {}, {}, args.title};
   motion.linkage = make_linkage(motion.file.net.sheet, motion.file.net.mate);
   if (!args.trajectory.empty()) {
     if (args.file == "-") throw InvalidOption("--trajectory needs the sheet in a file of its own, not standard input");
@@ -64,7 +64,7 @@ Motion read_motion(const ExportArgs& args, Session& session) {
   return motion;
 }
 
-RobotOptions robot_options(const Motion& motion, const ExportArgs& args) {
+RobotOptions robot_options(const LoadedMotion& motion, const ExportArgs& args) {
   RobotOptions options;
   options.name.clear();
   for (unsigned char c : motion.title) options.name += std::isalnum(c) || c == '-' ? static_cast<char>(c) : '_';
@@ -82,7 +82,7 @@ std::string robot_file(const RobotFile& file, Session& session) {
   return file.text;
 }
 
-std::string picture(const Motion& motion, const ExportArgs& args) {
+std::string picture(const LoadedMotion& motion, const ExportArgs& args) {
   PictureOptions options;
   options.width = args.width;
   options.height = args.height;
@@ -125,7 +125,7 @@ void add_proof(ViewerInput& page, Session& session) {
   session.say(fmt::format("motion: {}", motion_line(proof)));
 }
 
-std::string page(const Motion& motion, Session& session) {
+std::string page(const LoadedMotion& motion, Session& session) {
   ViewerInput input;
   input.title = motion.title;
   input.unit = motion.file.unit == "unit" ? "" : motion.file.unit;
@@ -137,7 +137,7 @@ std::string page(const Motion& motion, Session& session) {
   return viewer_page(input);
 }
 
-std::string bytes_for(const std::string& path, const Motion& motion, const ExportArgs& args, Session& session) {
+std::string bytes_for(const std::string& path, const LoadedMotion& motion, const ExportArgs& args, Session& session) {
   const std::string kind = extension(path);
   if (path.ends_with(".angles.svg")) return write_angle_plot(motion.path, {.title = motion.title});
   if (kind == "glb") return write_glb(motion.linkage, motion.path, {.seconds = args.seconds});
@@ -160,7 +160,7 @@ int export_file(const ExportArgs& args, Session& session) {
   if (!(args.at >= 0 && args.at <= 1)) throw InvalidOption(fmt::format("at = {} must be in [0, 1]", args.at));
   const std::string default_path = args.file == "-" ? "sheet.html" : name_of(args.file) + ".html";
   const std::vector<std::string> outputs = session.outputs(default_path);
-  const Motion motion = read_motion(args, session);
+  const LoadedMotion motion = read_motion(args, session);
   nlohmann::json& report = session.report();
   report["panels"] = motion.linkage.num_panels();
   report["hinges"] = motion.linkage.num_hinges();

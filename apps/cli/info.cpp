@@ -55,8 +55,8 @@ Folds folds_of(const Mesh& mesh) {
   return folds;
 }
 
-struct Facts {
-  explicit Facts(const Mesh& mesh)
+struct MeshFacts {
+  explicit MeshFacts(const Mesh& mesh)
       : components(plico::components(mesh).count),
         genus(plico::genus(mesh)),
         boundary_loops(static_cast<int>(plico::boundary_loops(mesh).size())),
@@ -82,7 +82,7 @@ struct Facts {
 
 nlohmann::json to_json(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
-void fill_report(nlohmann::json& report, const Mesh& mesh, const Facts& facts) {
+void fill_report(nlohmann::json& report, const Mesh& mesh, const MeshFacts& facts) {
   report["vertices"] = mesh.num_vertices();
   report["edges"] = mesh.num_edges();
   report["faces"] = mesh.num_faces();
@@ -103,7 +103,7 @@ void fill_report(nlohmann::json& report, const Mesh& mesh, const Facts& facts) {
   report["bounding_box"] = {{"min", to_json(facts.box.min())}, {"max", to_json(facts.box.max())}};
 }
 
-std::string human(const std::string& path, const Mesh& mesh, const Facts& facts) {
+std::string human(const std::string& path, const Mesh& mesh, const MeshFacts& facts) {
   const Vec3 size = facts.box.sizes(), low = facts.box.min();
   std::string out = fmt::format("{}: {} vertices, {} edges, {} faces\n", path, mesh.num_vertices(), mesh.num_edges(),
                                 mesh.num_faces());
@@ -135,7 +135,7 @@ Command info_command() {
       .positional("MESH", "OBJ, OFF, STL or PLY file; - is standard input", *path)
       .action([path](Session& session) {
         const Mesh mesh = to_mesh(read_mesh_source(session.read(*path), *path));
-        const Facts facts(mesh);
+        const MeshFacts facts(mesh);
         fill_report(session.report(), mesh, facts);
         session.print(human(*path, mesh, facts));
         return int{kDone};

@@ -113,8 +113,8 @@ struct InfoArgs {
   PatternCheckOptions check;
 };
 
-struct Facts {
-  explicit Facts(const CreasePattern& sheet)
+struct PatternFacts {
+  explicit PatternFacts(const CreasePattern& sheet)
       : vertices(vertex_facts(sheet)), creases(make_linkage(sheet).num_hinges()) {
     for (const Vec2& p : sheet.vertices) box.extend(p);
     for (const Crease& edge : sheet.edges) {
@@ -176,7 +176,7 @@ nlohmann::json to_json(const PatternReport& report) {
   return list;
 }
 
-void fill_report(nlohmann::json& report, const FoldFile& file, const Facts& facts) {
+void fill_report(nlohmann::json& report, const FoldFile& file, const PatternFacts& facts) {
   const CreasePattern& sheet = file.net.sheet;
   const Vec2 size = facts.box.sizes();
   report["creases"] = facts.creases;
@@ -195,19 +195,19 @@ void fill_report(nlohmann::json& report, const FoldFile& file, const Facts& fact
   for (const VertexFacts& vertex : facts.vertices) vertices.push_back(to_json(sheet, vertex));
 }
 
-std::string degrees_text(const Facts& facts) {
+std::string degrees_text(const PatternFacts& facts) {
   std::string text;
   for (const auto& [degree, count] : facts.degrees_of)
     text += fmt::format("{}{} of degree {}", text.empty() ? "" : ", ", count, degree);
   return facts.vertices.empty() ? "0" : fmt::format("{}: {}", facts.vertices.size(), text);
 }
 
-std::string closing_text(const Facts& facts) {
+std::string closing_text(const PatternFacts& facts) {
   if (facts.worst_vertex < 0) return "nothing to close";
   return fmt::format("closes to {:.2g} rad, worst at vertex {}", facts.worst_residual, facts.worst_vertex);
 }
 
-std::string human(const FoldFile& file, const Facts& facts) {
+std::string human(const FoldFile& file, const PatternFacts& facts) {
   std::string out;
   const auto line = [&](const char* what, const std::string& value) { out += fmt::format("{:<16}{}\n", what, value); };
   const Vec2 size = facts.box.sizes();
@@ -263,7 +263,7 @@ int tell_facts(const InfoArgs& args, Session& session) {
   session.print(fmt::format("{}: {} vertices, {} edges, {} panels\n", args.file, sheet.num_vertices(),
                             sheet.num_edges(), sheet.num_faces()));
   if (checks.usable()) {  // the facts are about a plane drawing
-    const Facts facts(sheet);
+    const PatternFacts facts(sheet);
     fill_report(session.report(), file, facts);
     session.print(human(file, facts));
     for (const VertexFacts& vertex : facts.vertices) session.detail(vertex_line(sheet, vertex));

@@ -91,7 +91,7 @@ int print(const NetArgs& args, Session& session) {
   const DrawOptions how = draw_options(args.print, name);
   const std::vector<Drawing> pages = draw(result.layout, how);
   for (const std::string& path : outputs) write_pages(session, path, pages, how.title);
-  session.print(human(result.report));
+  session.print(layout_text(result.report));
   for (const std::string& problem : verdict.problems) session.warn(problem);
   return verdict.sound() ? kDone : kNo;
 }

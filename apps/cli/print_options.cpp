@@ -109,7 +109,7 @@ nlohmann::json json_of(const LayoutReport& r) {
           {"pages_without_ruler", r.pages_without_ruler}};
 }
 
-std::string human(const LayoutReport& r) {
+std::string layout_text(const LayoutReport& r) {
   const Vec3& s = r.final_size;
   std::string text =
       fmt::format("{} {} on {} {}, {:.0f} % of the paper used\n", r.parts, r.parts == 1 ? "part" : "parts", r.pages,

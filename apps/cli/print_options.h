@@ -25,6 +25,6 @@ LayoutOptions layout_options(const PrintArgs& args);  // throws InvalidOption
 DrawOptions draw_options(const PrintArgs& args, const std::string& default_title);
 
 nlohmann::json json_of(const LayoutReport& report);
-std::string human(const LayoutReport& report);  // some lines for people
+std::string layout_text(const LayoutReport& report);  // some lines for people
 
 }  // namespace plico::cli

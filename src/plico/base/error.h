@@ -5,6 +5,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace plico {
@@ -44,6 +45,13 @@ struct FileError : Error {
   FileError(std::string code, const std::string& message, std::string where = {}, std::string suggestion = {})
       : Error(std::move(code), message, std::move(where), std::move(suggestion)) {}
 };
+
+// Throws InvalidOption unless the value `fits`: "faces = 3 must be at least 4". The range is told in words or as an
+// interval, both shown in the unit of the option.
+template <class T>
+void require(bool fits, std::string_view option, const T& value, std::string_view range) {
+  if (!fits) throw InvalidOption(fmt::format("{} = {} must be {}", option, value, range));
+}
 
 // A bug of ours. Never caught inside the library.
 [[noreturn]] void assertion_failed(const char* condition, const char* file, int line);

@@ -17,8 +17,6 @@ constexpr std::size_t kMostLines = 2'000'000;
 constexpr std::int64_t kMostPairs = 100'000'000;  // a second or two; real drawings have a few a line
 constexpr int kMostRounds = 40;
 
-std::string near(const Vec2& p) { return fmt::format("near {:.6g} {:.6g}", p.x(), p.y()); }
-
 // Points no two of which are closer than `distance`, found again through square cells of that size.
 class Points {
  public:

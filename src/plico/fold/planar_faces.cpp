@@ -9,8 +9,6 @@
 namespace plico {
 namespace {
 
-std::string near(const Vec2& p) { return fmt::format("near {:.6g} {:.6g}", p.x(), p.y()); }
-
 bool in_box(const Vec2& p, const Vec2& a, const Vec2& b) {
   return std::min(a.x(), b.x()) <= p.x() && p.x() <= std::max(a.x(), b.x()) && std::min(a.y(), b.y()) <= p.y() &&
          p.y() <= std::max(a.y(), b.y());
@@ -206,6 +204,8 @@ std::vector<std::pair<int, int>> clashing_edges(const std::vector<Vec2>& vertice
   std::sort(clashes.begin(), clashes.end());
   return clashes;
 }
+
+std::string near(const Vec2& p) { return fmt::format("near {:.6g} {:.6g}", p.x(), p.y()); }
 
 Vec2 meeting_point(const std::vector<Vec2>& vertices, const Crease& e, const Crease& f) {
   const Vec2 &a = vertices[e.a], &b = vertices[e.b], &c = vertices[f.a], &d = vertices[f.b];

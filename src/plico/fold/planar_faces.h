@@ -1,5 +1,6 @@
 // The faces that straight edges cut out of the plane.
 #pragma once
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -18,6 +19,9 @@ std::vector<std::vector<int>> planar_faces(const std::vector<Vec2>& vertices, co
 // All pairs of edges that meet anywhere but at a vertex of both, the lower first, ascending. Edges without a length
 // take no part. Decisions are exact. O(n log n) when edges are short against the drawing.
 std::vector<std::pair<int, int>> clashing_edges(const std::vector<Vec2>& vertices, const std::vector<Crease>& edges);
+
+// "near 1.5 2": where in a drawing a message is about.
+std::string near(const Vec2& p);
 
 // Where two such edges meet, rounded; of edges that lie on each other, an end of one that is on the other.
 Vec2 meeting_point(const std::vector<Vec2>& vertices, const Crease& e, const Crease& f);

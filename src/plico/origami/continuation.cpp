@@ -13,10 +13,6 @@ namespace {
 constexpr double kSignTolerance = 1e-7;  // radians: noise of a crease that is flat at the moment
 constexpr double kGoalTolerance = 1e-9;  // radians: residual of a goal that closes
 
-void require(bool fits, const char* option, double value, const char* range) {
-  if (!fits) throw InvalidOption(fmt::format("{} = {} must be {}", option, value, range));
-}
-
 void check(const ContinuationOptions& o, int num_creases) {
   require(o.frames >= 1, "frames", o.frames, "at least 1");
   require(o.first_step > 0 && o.first_step <= 1, "first step", o.first_step, "in (0, 1]");

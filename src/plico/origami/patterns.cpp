@@ -43,10 +43,6 @@ class Grid {
   int columns_, rows_;
 };
 
-void require(bool fits, const char* name, double value, const char* range) {
-  if (!fits) throw InvalidOption(fmt::format("{} = {:.6g} must be {}", name, value, range));
-}
-
 void check(const MiuraOptions& o) {
   require(o.columns >= 1, "columns", o.columns, "at least 1");
   require(o.rows >= 1, "rows", o.rows, "at least 1");

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 #include "plico/base/error.h"
 #include "plico/shapes/creature.h"
@@ -18,8 +19,6 @@ struct Entry {
   std::function<PolygonSoup(const ShapeOptions&)> make;
   bool is_creature = false;
 };
-
-const double kGolden = (1 + std::sqrt(5.0)) / 2;
 
 Entry fixed(const char* name, const char* description, std::function<PolygonSoup()> make) {
   return {{name, description}, [make = std::move(make)](const ShapeOptions&) { return make(); }};
@@ -75,9 +74,9 @@ std::vector<Entry> make_entries() {
       fixed("icosidodecahedron", "20 triangles, 12 pentagons", [] { return rectified(Mesh(icosahedron())); }),
       fixed("star", "the stella octangula: 24 triangles", [] { return spiked(Mesh(octahedron()), 1); }),
       fixed("small-stellated-dodecahedron", "12 five-sided spikes: 60 triangles",
-            [] { return spiked(Mesh(dodecahedron()), kGolden); }),
+            [] { return spiked(Mesh(dodecahedron()), std::numbers::phi); }),
       fixed("great-stellated-dodecahedron", "20 three-sided spikes: 60 triangles",
-            [] { return spiked(Mesh(icosahedron()), kGolden); }),
+            [] { return spiked(Mesh(icosahedron()), std::numbers::phi); }),
       counted("prism", "two polygons and squares between them", 8, 5, [](int n) { return prism(n - 2); }),
       counted("antiprism", "two polygons and triangles between them", 12, 8,
               [](int n) { return antiprism((n - 2) / 2); }),

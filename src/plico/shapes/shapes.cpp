@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "plico/base/error.h"
 #include "plico/base/libm.h"
@@ -14,7 +15,7 @@
 namespace plico {
 namespace {
 
-const double kGolden = (1 + std::sqrt(5.0)) / 2;
+constexpr double kGolden = std::numbers::phi;
 
 using Points = std::vector<Vec3>;
 

@@ -26,7 +26,7 @@ std::vector<Vec2> clipped(const std::vector<Vec2>& polygon, const Vec2& a, const
 }
 
 // How much of the convex `shape` lies in the polygon.
-double shared_area(const std::vector<Vec2>& shape, const std::vector<Vec2>& polygon) {
+double area_inside(const std::vector<Vec2>& shape, const std::vector<Vec2>& polygon) {
   double area = 0;
   for (const auto& [i, j, k] : triangulate(polygon)) {
     std::vector<Vec2> left = clipped(shape, polygon[i], polygon[j]);
@@ -37,7 +37,7 @@ double shared_area(const std::vector<Vec2>& shape, const std::vector<Vec2>& poly
   return area;
 }
 
-struct Side {
+struct PanelSide {
   const PlacedPanel* panel = nullptr;
   int side = 0;
   const Vec2& from() const { return panel->corners[side]; }
@@ -120,16 +120,16 @@ class Judge {
       complain(fmt::format("the tab of edge {} does not stand on that edge", tab.edge));
       return;
     }
-    const Side under = mate->second[0];
+    const PanelSide under = mate->second[0];
     const std::vector<Vec2> turned = turned_over(tab, own->second[0], under);
     const double area = signed_area(turned);
-    if (shared_area(turned, under.panel->corners) >= area - kTolerance * (1 + area)) return;
+    if (area_inside(turned, under.panel->corners) >= area - kTolerance * (1 + area)) return;
     ++verdict_.misfit_tabs;
     complain(fmt::format("the tab of edge {} sticks out of the panel it is glued under", tab.edge));
   }
 
   // Both ends of the base lie on the side, in its direction.
-  static bool stands_on(const Side& side, const Tab& tab) {
+  static bool stands_on(const PanelSide& side, const Tab& tab) {
     const Vec2 edge = side.to() - side.from(), x = edge.normalized();
     const Vec2 a = tab.corners[0] - side.from(), b = tab.corners[1] - side.from();
     const auto off = [&](const Vec2& p) { return std::abs(cross(x, p)) > kTolerance; };
@@ -137,7 +137,7 @@ class Judge {
   }
 
   // The tab on the inner side of its mate edge, counter-clockwise: where it is glued.
-  static std::vector<Vec2> turned_over(const Tab& tab, const Side& own, const Side& under) {
+  static std::vector<Vec2> turned_over(const Tab& tab, const PanelSide& own, const PanelSide& under) {
     const Vec2 x = (own.to() - own.from()).normalized(), y = -perpendicular(x);
     const Vec2 to_x = (under.from() - under.to()).normalized(), to_y = perpendicular(-to_x);  // into the panel
     std::vector<Vec2> turned;
@@ -149,7 +149,7 @@ class Judge {
   }
 
   const PageLayout& layout_;
-  std::map<int, std::vector<Side>> sides_;
+  std::map<int, std::vector<PanelSide>> sides_;
   LayoutVerdict verdict_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "linkage_samples.h"
 #include "plico/base/error.h"
 #include "plico/motion/collision.h"
 #include "plico/origami/closure.h"
@@ -16,15 +17,6 @@ struct Counts {
 
 Counts counts(const CreasePattern& sheet) {
   return {static_cast<int>(real_vertices(sheet).size()), make_linkage(sheet).num_hinges(), sheet.num_faces()};
-}
-
-std::vector<Vec3> folded_vertices(const CreasePattern& sheet) {
-  const Linkage linkage = make_linkage(sheet);
-  const std::vector<Pose> poses = folding_map(linkage, goal(linkage));
-  std::vector<Vec3> folded(sheet.vertices.size());
-  for (int f = 0; f < sheet.num_faces(); ++f)
-    for (int v : sheet.faces[f]) folded[v] = poses[f] * Vec3(sheet.vertices[v].x(), sheet.vertices[v].y(), 0);
-  return folded;
 }
 
 // GoogleTest looks for this name. NOLINTNEXTLINE(readability-identifier-naming)

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include "linkage_samples.h"
 #include "plico/motion/collision.h"
 #include "plico/origami/patterns.h"
 
@@ -26,15 +27,6 @@ class WaterbombTube : public testing::TestWithParam<Tube> {
     return CollisionChecker(linkage).collisions(goal(linkage)).size();
   }
 };
-
-std::vector<Vec3> folded_vertices(const CreasePattern& sheet) {
-  const Linkage linkage = make_linkage(sheet);
-  const std::vector<Pose> poses = folding_map(linkage, goal(linkage));
-  std::vector<Vec3> folded(sheet.vertices.size());
-  for (int f = 0; f < sheet.num_faces(); ++f)
-    for (int v : sheet.faces[f]) folded[v] = poses[f] * Vec3(sheet.vertices[v].x(), sheet.vertices[v].y(), 0);
-  return folded;
-}
 
 TEST_P(WaterbombTube, IsFreeBelowTheClosingAngle) { EXPECT_EQ(num_collisions(-0.02), 0u); }
 

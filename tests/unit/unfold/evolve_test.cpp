@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "judged_net.h"
 #include "mesh_samples.h"
 #include "plico/base/error.h"
 #include "plico/unfold/genes.h"
@@ -12,8 +13,6 @@
 
 namespace plico {
 namespace {
-
-NetVerdict judge(const Mesh& mesh, const FoldForest& forest) { return verify_net(lay_flat(mesh, forest), mesh); }
 
 TEST(Evolve, FindsOneNetOfABumpySphereForEverySeed) {
   const Mesh mesh = bumpy_sphere(1, 0.3, 3);

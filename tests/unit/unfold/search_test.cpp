@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "judged_net.h"
 #include "mesh_samples.h"
 #include "plico/base/error.h"
 #include "plico/mesh/measures.h"
@@ -11,8 +12,6 @@
 
 namespace plico {
 namespace {
-
-NetVerdict judge(const Mesh& mesh, const FoldForest& forest) { return verify_net(lay_flat(mesh, forest), mesh); }
 
 Mesh two_tetrahedra() {
   PolygonSoup soup = tetrahedron();

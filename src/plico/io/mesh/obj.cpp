@@ -48,7 +48,7 @@ class ObjReader {
   int corner(std::string_view word) {
     int index = 0;
     if (!parse_integer(word.substr(0, word.find('/')), index))
-      scan_.fail("read/number", fmt::format("a face corner is {}, must start with a vertex number", quoted(word)));
+      scan_.fail("read/number", fmt::format("a face corner is {}, must start with a vertex number", quoted_word(word)));
     if (index > 0) return index - 1;  // may name a vertex further down, so the end is checked last
     const int count = source_.soup.num_points();
     if (index == 0 || count + index < 0)

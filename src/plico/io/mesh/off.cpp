@@ -34,7 +34,7 @@ class OffReader {
     if (const std::size_t keyword = word.find("OFF"); keyword != std::string_view::npos) {
       const std::string_view prefix = word.substr(0, keyword), glued = word.substr(keyword + 3);
       if (prefix.find_first_not_of("STCN") != std::string_view::npos)
-        scan_.fail("read/format", fmt::format("{} is no OFF file in three dimensions", quoted(word)));
+        scan_.fail("read/format", fmt::format("{} is no OFF file in three dimensions", quoted_word(word)));
       extra_columns_ = !prefix.empty();
       word = glued.empty() ? scan_.word() : glued;  // some programs write "OFF8 6 12"
     }
@@ -42,7 +42,7 @@ class OffReader {
       scan_.fail("read/format", "binary OFF files cannot be read", "save the mesh as text OFF or as PLY");
     if (!parse_integer(word, vertices_))
       scan_.fail("read/format",
-                 fmt::format("an OFF file starts with OFF and three counts, this one with {}", quoted(word)));
+                 fmt::format("an OFF file starts with OFF and three counts, this one with {}", quoted_word(word)));
     faces_ = scan_.integer("the number of faces");
     for (int count : {vertices_, faces_})
       if (count < 0 || count > kMaxElements)

@@ -75,7 +75,7 @@ class HeaderReader {
       } else if (word == "property") {
         read_property();
       } else if (word != "comment" && word != "obj_info") {
-        scan_.fail("read/syntax", fmt::format("{} is no line of a PLY header", quoted(word)));
+        scan_.fail("read/syntax", fmt::format("{} is no line of a PLY header", quoted_word(word)));
       }
       scan_.skip_line();
     }
@@ -96,7 +96,7 @@ class HeaderReader {
     } else if (word == "binary_big_endian") {
       header_.encoding = PlyEncoding::BigEndian;
     } else {
-      scan_.fail("read/format", fmt::format("PLY format {} is none we know", quoted(word)));
+      scan_.fail("read/format", fmt::format("PLY format {} is none we know", quoted_word(word)));
     }
   }
 
@@ -127,7 +127,7 @@ class HeaderReader {
   Scalar scalar(std::string_view word) const {
     for (const auto& [name, type] : kScalarNames)
       if (name == word) return type;
-    scan_.fail("read/syntax", fmt::format("{} is no PLY type", quoted(word)));
+    scan_.fail("read/syntax", fmt::format("{} is no PLY type", quoted_word(word)));
   }
 
   TextScanner scan_;

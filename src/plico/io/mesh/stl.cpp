@@ -149,7 +149,7 @@ class StlTextReader {
   }
 
   [[noreturn]] void unexpected(std::string_view word, std::string_view wanted) const {
-    scan_.fail("read/syntax", fmt::format("{} stands where an STL file has {}", quoted(word), wanted));
+    scan_.fail("read/syntax", fmt::format("{} stands where an STL file has {}", quoted_word(word), wanted));
   }
 
   TextScanner scan_;

@@ -33,7 +33,7 @@ void append(std::string& bytes, T value) {
 }
 
 // One of the three parts of the binary chunk.
-struct View {
+struct BufferView {
   int index;
   std::string bytes;
 };
@@ -67,7 +67,7 @@ class GlbWriter {
          {"pbrMetallicRoughness", {{"baseColorFactor", colour}, {"metallicFactor", 0.0}, {"roughnessFactor", 0.9}}}});
   }
 
-  int add_accessor(const View& view, std::size_t offset, int type, const char* shape, std::size_t count) {
+  int add_accessor(const BufferView& view, std::size_t offset, int type, const char* shape, std::size_t count) {
     Json accessor = {{"bufferView", view.index}};
     if (offset) accessor["byteOffset"] = offset;
     accessor["componentType"] = type;
@@ -206,7 +206,7 @@ class GlbWriter {
   const GltfOptions& options_;
   const std::vector<PanelJoint> joints_;
   Json json_;
-  View positions_{0, {}}, indices_{1, {}}, animation_{2, {}};
+  BufferView positions_{0, {}}, indices_{1, {}}, animation_{2, {}};
   std::map<std::vector<float>, int> times_;
 };
 

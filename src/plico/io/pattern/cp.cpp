@@ -14,7 +14,6 @@ namespace {
 
 constexpr std::array<Assignment, 5> kTypes{Assignment::Unassigned, Assignment::Boundary, Assignment::Mountain,
                                            Assignment::Valley, Assignment::Flat};
-constexpr double kMerge = 1e-5;  // of the sheet: programs write .cp, and they round
 
 int type_of(Assignment assignment) {
   switch (assignment) {
@@ -37,7 +36,6 @@ int type_of(Assignment assignment) {
 }  // namespace
 
 ImportedPattern read_cp(std::string_view bytes, const std::string& name) {
-  constexpr double kLargest = 1e15;
   TextScanner scan(bytes, name);
   std::vector<DrawnLine> lines;
   bool creased = false;
@@ -49,13 +47,14 @@ ImportedPattern read_cp(std::string_view bytes, const std::string& name) {
     std::array<double, 4> at{};
     for (double& x : at) {
       x = scan.number("a coordinate");
-      if (!(std::abs(x) <= kLargest)) scan.fail("read/number", fmt::format("a coordinate is {}, must be finite", x));
+      if (!(std::abs(x) <= kLargestCoordinate))
+        scan.fail("read/number", fmt::format("a coordinate is {}, must be finite", x));
     }
     const Assignment assignment = kTypes[type];
     creased = creased || type == 2 || type == 3;
     lines.push_back({{at[0], -at[1]}, {at[2], -at[3]}, assignment, flat_fold_angle(assignment), place});
   }
-  Arrangement arranged = arrange_lines(lines, {.merge = kMerge});
+  Arrangement arranged = arrange_lines(lines, {.merge = kRoundedMerge});
   ImportedPattern result{std::move(arranged.sheet), notes(arranged)};
   if (creased)
     result.notes.emplace_back("the file has no fold angles: mountains and valleys are folded by 180 degrees");

@@ -12,7 +12,7 @@
 namespace plico {
 namespace {
 
-std::string quoted(const std::string& text) { return nlohmann::json(text).dump(); }
+std::string json_string(const std::string& text) { return nlohmann::json(text).dump(); }
 
 std::size_t text_length(double value) {
   char digits[32];
@@ -256,7 +256,7 @@ std::string write_fold(const FoldFile& file) {
   json.key("frame_attributes");
   json.raw("[\"2D\"]");
   json.key("frame_unit");
-  json.raw(quoted(file.unit));
+  json.raw(json_string(file.unit));
   write_vertices(json, file.net);
   write_edges(json, file.net);
   write_faces(json, file.net);
@@ -265,7 +265,7 @@ std::string write_fold(const FoldFile& file) {
     json.raw(file.report);
   }
   for (const auto& [key, value] : file.other) {
-    json.quoted_key(quoted(key));
+    json.quoted_key(json_string(key));
     json.raw(value);
   }
   write_frames(json, file);

@@ -11,8 +11,6 @@
 namespace plico {
 namespace {
 
-constexpr double kMerge = 1e-5;  // as for .cp
-
 class OpxReader {
  public:
   OpxReader(std::string_view bytes, const std::string& name) : xml_(bytes, name) {}
@@ -55,11 +53,11 @@ class OpxReader {
   }
 
   double number(const pugi::xml_node& node) const {
-    constexpr double kLargest = 1e15;
     double x = 0;
     const std::string_view text = node.child_value();
-    if (!parse_number(text, x) || !(std::abs(x) <= kLargest))
-      throw InvalidInput("read/number", fmt::format("a field of a line is {}, must be a finite number", quoted(text)),
+    if (!parse_number(text, x) || !(std::abs(x) <= kLargestCoordinate))
+      throw InvalidInput("read/number",
+                         fmt::format("a field of a line is {}, must be a finite number", quoted_word(text)),
                          xml_.place(node));
     return x;
   }
@@ -71,7 +69,7 @@ class OpxReader {
 }  // namespace
 
 ImportedPattern read_opx(std::string_view bytes, const std::string& name) {
-  Arrangement arranged = arrange_lines(OpxReader(bytes, name).run(), {.merge = kMerge});
+  Arrangement arranged = arrange_lines(OpxReader(bytes, name).run(), {.merge = kRoundedMerge});
   ImportedPattern result{std::move(arranged.sheet), notes(arranged)};
   result.notes.emplace_back("the file has no fold angles: mountains and valleys are folded by 180 degrees");
   return result;

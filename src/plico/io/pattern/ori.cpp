@@ -14,7 +14,6 @@
 namespace plico {
 namespace {
 
-constexpr double kLargest = 1e15;
 constexpr double kFlat = 1e-9;             // of the largest coordinate: how far vertices may be off the plane
 constexpr double kRounded = 5e-6;          // files have six digits
 constexpr double kBeyond = radians(1e-3);  // that much above 180 degrees is rounding
@@ -118,7 +117,7 @@ class Import {
     for (std::size_t v = 0; v < tables_.vertices.size(); ++v)
       for (int i = 0; i < 3; ++i) {
         const double x = tables_.vertices[v][i];
-        if (!(std::abs(x) <= kLargest))
+        if (!(std::abs(x) <= kLargestCoordinate))
           fail("read/number", fmt::format("a coordinate is {}, must be finite", x), fmt::format("vertex {}", v));
         most[i] = std::max(most[i], std::abs(x));
         largest = std::max(largest, std::abs(x));
@@ -218,29 +217,29 @@ class Import {
   std::map<Side, int> crease_of_;
 };
 
-struct Frame {
+struct ListedState {
   std::vector<double> angles;  // radians
   std::string where;
 };
 
-std::vector<Frame> text_frames(std::string_view bytes, const std::string& name) {
+std::vector<ListedState> text_frames(std::string_view bytes, const std::string& name) {
   TextScanner scan(bytes, name);
-  std::vector<Frame> frames;
+  std::vector<ListedState> frames;
   while (scan.more()) {
-    Frame& frame = frames.emplace_back();
+    ListedState& frame = frames.emplace_back();
     frame.where = fmt::format("{}:{}", name, scan.line());
     while (scan.more_on_line()) frame.angles.push_back(radians(scan.number("a fold angle")));
   }
   return frames;
 }
 
-std::vector<Frame> json_frames(std::string_view bytes, const std::string& name) {
+std::vector<ListedState> json_frames(std::string_view bytes, const std::string& name) {
   const nlohmann::json root = parse_json(bytes, name, "trj");
   const auto at = root.find("trajs");
   if (at == root.end() || !at->is_array()) throw InvalidInput("trj/key", "the file has no list 'trajs'", name);
-  std::vector<Frame> frames;
+  std::vector<ListedState> frames;
   for (const nlohmann::json& row : *at) {
-    Frame frame{{}, fmt::format("{}, trajs[{}]", name, frames.size())};
+    ListedState frame{{}, fmt::format("{}, trajs[{}]", name, frames.size())};
     if (!row.is_array()) throw InvalidInput("trj/frame", "a frame must be a list of angles", frame.where);
     for (const nlohmann::json& x : row) {
       if (!x.is_number()) throw InvalidInput("trj/frame", "a frame must be a list of angles", frame.where);
@@ -258,14 +257,14 @@ OriFile read_ori(std::string_view bytes, const std::string& name) {
 }
 
 FoldingPath read_trj(std::string_view bytes, const OriFile& ori, const std::string& name) {
-  const std::vector<Frame> frames = is_json(bytes) ? json_frames(bytes, name) : text_frames(bytes, name);
+  const std::vector<ListedState> frames = is_json(bytes) ? json_frames(bytes, name) : text_frames(bytes, name);
   if (frames.size() < 2)
     throw InvalidInput("trj/frames", fmt::format("a motion needs two frames at least, there are {}", frames.size()),
                        name);
   const std::vector<int> hinges = hinge_of_edge(ori.pattern.sheet);
   const auto moving = std::count_if(hinges.begin(), hinges.end(), [](int h) { return h >= 0; });
   FoldingPath path;
-  for (const Frame& frame : frames) {
+  for (const ListedState& frame : frames) {
     if (frame.angles.size() != ori.sign.size())
       throw InvalidInput(
           "trj/frame",

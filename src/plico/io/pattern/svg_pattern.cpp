@@ -14,8 +14,7 @@
 namespace plico {
 namespace {
 
-constexpr double kMerge = 1e-3;  // of the drawing; Origami Simulator joins ends within 3 units, of some hundreds
-constexpr double kLargest = 1e15;
+constexpr double kDrawnMerge = 1e-3;  // of the drawing; Origami Simulator joins ends within 3 units, of some hundreds
 
 std::optional<Assignment> assignment_of_color(int color) {
   switch (color) {
@@ -68,7 +67,8 @@ class SvgReader {
 
   std::vector<DrawnLine> run() {
     if (local_name(xml_.root()) != "svg")
-      fail("root", fmt::format("the outermost element is {}, must be svg", quoted(xml_.root().name())), xml_.root());
+      fail("root", fmt::format("the outermost element is {}, must be svg", quoted_word(xml_.root().name())),
+           xml_.root());
     gather_rules(xml_.root(), 0);
     visit(xml_.root(), {}, 0);
     return std::move(lines_);
@@ -136,7 +136,7 @@ class SvgReader {
     double value = 0;
     if (!parse_number(std::string_view(text).substr(0, text.size() - (percent ? 1 : 0)), value) ||
         !std::isfinite(value))
-      fail("opacity", fmt::format("opacity is {}, must be a number in [0, 1]", quoted(text)), node);
+      fail("opacity", fmt::format("opacity is {}, must be a number in [0, 1]", quoted_word(text)), node);
     return std::clamp(percent ? value / 100 : value, 0.0, 1.0);
   }
 
@@ -150,7 +150,7 @@ class SvgReader {
     if (const std::string* value = given("opacity")) context.opacity *= opacity(*value, node);
     if (const auto transform = node.attribute("transform")) {
       const auto own = parse_transform(transform.value());
-      if (!own) fail("transform", fmt::format("transform {} cannot be read", quoted(transform.value())), node);
+      if (!own) fail("transform", fmt::format("transform {} cannot be read", quoted_word(transform.value())), node);
       context.to_drawing = context.to_drawing * *own;
     }
     return context;
@@ -205,8 +205,8 @@ class SvgReader {
     std::string_view text = node.attribute(key).value();
     if (text.ends_with("px")) text.remove_suffix(2);
     double x = 0;
-    if (!text.empty() && !(parse_number(text, x) && std::abs(x) <= kLargest))
-      fail("number", fmt::format("{} is {}, must be a number", key, quoted(text)), node);
+    if (!text.empty() && !(parse_number(text, x) && std::abs(x) <= kLargestCoordinate))
+      fail("number", fmt::format("{} is {}, must be a number", key, quoted_word(text)), node);
     return x;
   }
 
@@ -234,7 +234,7 @@ class SvgReader {
   void add(const pugi::xml_node& node, const Vec2& a, const Vec2& b) {
     const auto placed = [&](const Vec2& p) {
       const Vec2 q = pen_.to_drawing * p;
-      if (!(q.cwiseAbs().maxCoeff() <= kLargest)) fail("number", "a coordinate is too large", node);
+      if (!(q.cwiseAbs().maxCoeff() <= kLargestCoordinate)) fail("number", "a coordinate is too large", node);
       return Vec2(q.x(), 0.0 - q.y());
     };
     lines_.push_back({placed(a), placed(b), pen_.assignment, pen_.fold_angle, pen_.line});
@@ -250,7 +250,9 @@ class SvgReader {
         fail("curve", fmt::format("the path has a curve (command {}, byte {}); creases are straight", command, i), node,
              "replace curves by straight lines");
       if (std::string_view("MmLlHhVvZz").find(command) == std::string_view::npos)
-        fail("path", fmt::format("the path has {} at byte {}, must be one of M L H V Z", quoted({&command, 1}), i),
+        fail("path",
+             fmt::format("the path has {} at byte {}, must be one of M L H V Z",
+                         quoted_word(std::string_view(&command, 1)), i),
              node);
       const std::size_t next = std::min(d.find_first_of("MmLlHhVvZzCcSsQqTtAa", i + 1), d.size());
       std::vector<double> numbers;
@@ -306,7 +308,7 @@ ImportedPattern read_svg_pattern(std::string_view bytes, const std::string& name
   if (lines.empty())
     throw InvalidInput("svg/no-creases", "no stroke has the colour of a crease or border", name,
                        "draw mountains #f00, valleys #00f, the border #000");
-  Arrangement arranged = arrange_lines(lines, {.merge = kMerge});
+  Arrangement arranged = arrange_lines(lines, {.merge = kDrawnMerge});
   ImportedPattern result{std::move(arranged.sheet), reader.left_out()};
   for (std::string& note : notes(arranged)) result.notes.push_back(std::move(note));
   return result;

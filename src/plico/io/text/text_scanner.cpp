@@ -22,7 +22,7 @@ bool parse_all(std::string_view word, Number& number) {
 bool parse_number(std::string_view word, double& number) { return parse_all(word, number); }
 bool parse_integer(std::string_view word, int& number) { return parse_all(word, number); }
 
-std::string quoted(std::string_view word, std::size_t max) {
+std::string quoted_word(std::string_view word, std::size_t max) {
   std::string text = "'";
   for (char c : word.substr(0, max)) text += c >= ' ' && c <= '~' ? c : '?';
   return text + (word.size() > max ? "...'" : "'");
@@ -91,7 +91,7 @@ double TextScanner::number(std::string_view what) {
   const std::string_view text = word();
   double value = 0;
   if (!parse_number(text, value))
-    fail("read/number", fmt::format("{} is {}, must be a number that fits a double", what, quoted(text)));
+    fail("read/number", fmt::format("{} is {}, must be a number that fits a double", what, quoted_word(text)));
   return value;
 }
 
@@ -99,7 +99,7 @@ int TextScanner::integer(std::string_view what) {
   const std::string_view text = word();
   int value = 0;
   if (!parse_integer(text, value))
-    fail("read/number", fmt::format("{} is {}, must be a whole number", what, quoted(text)));
+    fail("read/number", fmt::format("{} is {}, must be a whole number", what, quoted_word(text)));
   return value;
 }
 

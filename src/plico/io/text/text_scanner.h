@@ -43,6 +43,6 @@ bool parse_number(std::string_view word, double& number);
 bool parse_integer(std::string_view word, int& number);
 
 // At most `max` characters of a word from a file, made printable.
-std::string quoted(std::string_view word, std::size_t max = 24);
+std::string quoted_word(std::string_view word, std::size_t max = 24);
 
 }  // namespace plico

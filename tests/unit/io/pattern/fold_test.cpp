@@ -9,7 +9,7 @@
 namespace plico {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Pair;
@@ -47,7 +47,9 @@ std::string code_of(const std::string& bytes) {
 const char* const kSquare = R"("vertices_coords": [[0,0],[1,0],[1,1],[0,1]])";
 const char* const kDiagonal = R"("edges_vertices": [[0,1],[1,2],[2,3],[3,0],[0,2]])";
 
-FoldFile square(const std::string& more) { return read_fold(fmt::format("{{{},{}{}}}", kSquare, kDiagonal, more)); }
+FoldFile square_with(const std::string& more) {
+  return read_fold(fmt::format("{{{},{}{}}}", kSquare, kDiagonal, more));
+}
 std::string square_code(const std::string& more) {
   return code_of(fmt::format("{{{},{}{}}}", kSquare, kDiagonal, more));
 }
@@ -111,7 +113,7 @@ TEST(Fold, MotionIsOneFrameAWaypoint) {
   const Linkage linkage = make_linkage(file.net.sheet, file.net.mate);
   set_path(file, linkage, linear_path(linkage));
   const std::string bytes = write_fold(file);
-  const json written = json::parse(bytes);
+  const Json written = Json::parse(bytes);
   EXPECT_EQ(written["file_classes"][0], "animation");
   ASSERT_EQ(written["file_frames"].size(), 3u);
   EXPECT_EQ(written["file_frames"][1]["plico:time"], 0);
@@ -126,7 +128,7 @@ TEST(Fold, MotionIsOneFrameAWaypoint) {
 
 TEST(Fold, UnknownKeysAndFramesAreKept) {
   const FoldFile file =
-      square(R"(,"file_author":"Ann \"A\"","faceOrders":[[0,1,1]],"edges_x:tint":["red",2.5e3,null,{},[]],
+      square_with(R"(,"file_author":"Ann \"A\"","faceOrders":[[0,1,1]],"edges_x:tint":["red",2.5e3,null,{},[]],
     "file_frames":[{"frame_title":"later","frame_inherit":true}])");
   EXPECT_THAT(file.other, ElementsAre(Pair("edges_x:tint", R"(["red",2500.0,null,{},[]])"),
                                       Pair("faceOrders", "[[0,1,1]]"), Pair("file_author", R"("Ann \"A\"")")));
@@ -137,7 +139,7 @@ TEST(Fold, UnknownKeysAndFramesAreKept) {
 }
 
 TEST(Fold, MissingFacesComeFromThePlanarGraph) {
-  EXPECT_THAT(square("").net.sheet.faces, ElementsAre(ElementsAre(0, 1, 2), ElementsAre(2, 3, 0)));
+  EXPECT_THAT(square_with("").net.sheet.faces, ElementsAre(ElementsAre(0, 1, 2), ElementsAre(2, 3, 0)));
 }
 
 TEST(Fold, MissingEdgesAreTheSidesOfTheFaces) {
@@ -154,26 +156,26 @@ TEST(Fold, MissingEdgesFollowFromTheNeighboursOfTheVertices) {
 }
 
 TEST(Fold, AssignmentsAndAnglesFillEachOther) {
-  const CreasePattern from_letters = square(R"(,"edges_assignment":["B","B","B","B","V"])").net.sheet;
+  const CreasePattern from_letters = square_with(R"(,"edges_assignment":["B","B","B","B","V"])").net.sheet;
   EXPECT_EQ(from_letters.edges[4].fold_angle, kPi);
-  const CreasePattern from_angles = square(R"(,"edges_foldAngle":[null,0,0,0,-30])").net.sheet;
+  const CreasePattern from_angles = square_with(R"(,"edges_foldAngle":[null,0,0,0,-30])").net.sheet;
   EXPECT_EQ(from_angles.edges[4].assignment, Assignment::Mountain);
   EXPECT_DOUBLE_EQ(from_angles.edges[4].fold_angle, radians(-30));
   EXPECT_EQ(from_angles.edges[0].assignment, Assignment::Boundary);
-  EXPECT_EQ(square(R"(,"edges_foldAngles":[0,0,0,0,90])").net.sheet.edges[4].assignment, Assignment::Valley)
+  EXPECT_EQ(square_with(R"(,"edges_foldAngles":[0,0,0,0,90])").net.sheet.edges[4].assignment, Assignment::Valley)
       << "FOLD 1.0";
 }
 
 TEST(Fold, EveryLetterIsRead) {
   for (char letter : std::string("BMVFUCJ")) {
-    const FoldFile file = square(fmt::format(R"(,"edges_assignment":["B","B","B","B","{}"])", letter));
+    const FoldFile file = square_with(fmt::format(R"(,"edges_assignment":["B","B","B","B","{}"])", letter));
     EXPECT_EQ(static_cast<char>(file.net.sheet.edges[4].assignment), letter);
   }
 }
 
 TEST(Fold, ClockwiseFacesOfOthersAreTurnedOver) {
   const std::string faces = R"(,"faces_vertices":[[2,1,0],[0,2,3]])";
-  EXPECT_THAT(square(faces).net.sheet.faces[0], ElementsAre(0, 1, 2));
+  EXPECT_THAT(square_with(faces).net.sheet.faces[0], ElementsAre(0, 1, 2));
   const std::string ours = faces + R"(,"faces_plico:mesh_face":[0,1])";
   EXPECT_THAT(square_code(ours), "fold/side-used-twice")
       << "a net with a mirrored panel must not be repaired in silence";
@@ -188,7 +190,7 @@ TEST(Fold, SheetMayStandInALaterFrame) {
   EXPECT_THAT(file.other, ElementsAre(Pair("file_title", "\"t\""), Pair("frame_title", "\"sheet\"")));
   ASSERT_THAT(file.other_frames, SizeIs(2));
   EXPECT_THAT(file.other_frames[0], HasSubstr("\"form\"")) << "the key frame took the sheet's place";
-  EXPECT_EQ(json::parse(file.other_frames[1])["frame_parent"], 1);
+  EXPECT_EQ(Json::parse(file.other_frames[1])["frame_parent"], 1);
 }
 
 TEST(Fold, BadFilesAreNamedByCode) {
@@ -225,7 +227,7 @@ TEST(Fold, MessagesSayWhere) {
     EXPECT_EQ(error.where(), "a.fold:3:3");
   }
   try {
-    square(R"(,"faces_vertices":[[0,1,2],[0,2,9]])");
+    square_with(R"(,"faces_vertices":[[0,1,2],[0,2,9]])");
     FAIL();
   } catch (const InvalidInput& error) {
     EXPECT_EQ(error.where(), "faces_vertices[1]");
@@ -236,7 +238,7 @@ TEST(Fold, MessagesSayWhere) {
 TEST(Fold, AnglesAreWrittenAsTheyWereRead) {
   for (const char* angle :
        {"90", "-60.5", "0.1", "35.26438968275465", "179.99999999999997", "-180", "1e-12", "54.735610317245346"}) {
-    const std::string bytes = write_fold(square(fmt::format(R"(,"edges_foldAngle":[0,0,0,0,{}])", angle)));
+    const std::string bytes = write_fold(square_with(fmt::format(R"(,"edges_foldAngle":[0,0,0,0,{}])", angle)));
     EXPECT_EQ(write_fold(read_fold(bytes)), bytes);
     EXPECT_THAT(bytes, HasSubstr(fmt::format("\"edges_foldAngle\":[0,0,0,0,{}]", angle)));
   }
