@@ -10,6 +10,7 @@
 #include "plico/fabricate/pieces.h"
 #include "plico/fabricate/split.h"
 #include "plico/geom/polygon.h"
+#include "plico/mesh/segmentation.h"
 
 namespace plico {
 namespace {

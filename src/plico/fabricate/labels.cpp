@@ -199,12 +199,6 @@ void check(const LabelOptions& options) {
         fmt::format("label sizes {:g} to {:g} pt must be in [3, 24] pt", options.smallest_pt, options.size_pt));
 }
 
-std::string part_name(int index) {
-  std::string name;
-  for (int i = index; i >= 0; i = i / 26 - 1) name.insert(name.begin(), static_cast<char>('A' + i % 26));
-  return name;
-}
-
 LabelReport add_labels(PageLayout& layout, const std::vector<std::string>& seam_name, const Font& font,
                        const LabelOptions& options) {
   check(options);

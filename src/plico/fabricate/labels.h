@@ -21,9 +21,6 @@ struct LabelReport {
   int omitted = 0;  // edges whose id fits nowhere
 };
 
-// "A", "B", ..., "Z", "AA", ...
-std::string part_name(int index);
-
 // Adds labels to the placed parts of `layout`. seam_name has the id of each sheet edge, empty for none. A label lies
 // inside its panel or on its tab, or outside on free paper with a leader line; labels share no point with each other,
 // with marks, or with the margin. O(n).

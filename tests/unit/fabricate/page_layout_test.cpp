@@ -190,13 +190,6 @@ TEST(Page, SizesByNameAndByNumbers) {
   EXPECT_THROW(paper_size("x20"), InvalidOption);
 }
 
-TEST(Labels, PartNamesGoOnAfterZ) {
-  EXPECT_EQ(part_name(0), "A");
-  EXPECT_EQ(part_name(25), "Z");
-  EXPECT_EQ(part_name(26), "AA");
-  EXPECT_EQ(part_name(27 * 26 - 1), "ZZ");
-}
-
 TEST(Marks, EverySeamHasTwoStrokesAndEveryPartASquare) {
   LayoutOptions options = of_longest(40);
   options.marks = {true, true};
