@@ -38,7 +38,7 @@ CraftOptions craft_options(const CraftArgs& args, Session& session) {
 }
 
 std::string motion_text(const CraftResult& result) {
-  if (!result.motion) return "none is needed";
+  if (!result.motion) return "none: " + result.why_no_motion;
   const PathProof& proof = result.motion->proof;
   if (result.proven()) return fmt::format("{}, proven free of collision at every moment", result.motion_kind);
   if (proof.verdict == PathVerdict::Collides)

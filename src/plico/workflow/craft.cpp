@@ -17,36 +17,32 @@
 namespace plico {
 namespace {
 
-constexpr int kMediumMesh = 300;  // faces
-
 std::string_view kind_of(MotionMethod method) {
   return method == MotionMethod::Linear || method == MotionMethod::Uniform ? name(method) : "planned";
 }
 
-void find_motion(const CraftOptions& options, const Run& run, CraftResult& result) {
+// Each piece folds by itself: straight or at one rate, or not at all.
+void move_parts(const CraftOptions& options, const Run& run, CraftResult& result) {
   const Linkage linkage = linkage_of(result.net);
   if (linkage.num_hinges() == 0) return;
-  run.report("planning a motion", 0);
-  MotionOutcome planned =
-      plan_motion(linkage, {.seed = options.unfold.search.seed}, limited(run, options.planning_seconds));
-  result.motion = std::move(planned.motions.front());
+  const MotionOptions simple{.seed = options.unfold.search.seed, .may_search = false};
+  result.motion = std::move(plan_motion(linkage, simple, run).motions.front());
 }
 
-// A net that folds by the law asked for, or else the one that comes closest, replaces the one found without regard to
-// motion.
+// The net that folds, or the one that comes closest, replaces the one found without regard to motion.
 void find_net_that_folds(const Mesh& mesh, const CraftOptions& options, const Run& run, CraftResult& result) {
   run.report("looking for a net that folds", 0);
-  // Larger meshes pay more for a step: the steps allowed fall with the faces, the time stays about the same.
-  const long steps = options.foldable_steps * kMediumMesh / std::max(mesh.num_faces(), kMediumMesh);
-  NetAndMotion found = fold_or_plan(mesh, {.seed = options.unfold.search.seed, .law = *options.law, .max_steps = steps},
-                                    options.planning_seconds, run);
+  NetAndMotion found = fold_or_plan(mesh, {.seed = options.unfold.search.seed, .law = *options.law}, run);
+  if (!found.net.crossing.empty()) {
+    const auto [a, b] = found.net.crossing.front();
+    result.why_no_motion =
+        fmt::format("one piece cannot fold into a shape that passes through itself (faces {} and {}, {} pairs in all)",
+                    a, b, found.net.crossing.size());
+    return;
+  }
   Unfolding net = lay_flat(mesh, found.net.tree);
   NetVerdict verdict = verify_net(net, mesh);
-  // Nets that nearly fold by the law are not always those that a planner can fold: the first net gets its chance.
-  if (verdict.parts > 1 || !found.motion || found.motion->proof.verdict != PathVerdict::Free) {
-    find_motion(options, run, result);
-    if (verdict.parts > 1 || result.proven()) return;
-  }
+  if (verdict.parts > 1) return move_parts(options, run, result);
   result.net = std::move(net);
   result.verdict = std::move(verdict);
   result.motion = std::move(found.motion);
@@ -112,10 +108,14 @@ CraftResult craft(const Mesh& mesh, const CraftOptions& options, const Run& run)
   result.ending = unfolded.ending;
   result.net = std::move(unfolded.unfolding);
   result.verdict = std::move(unfolded.verdict);
-  if (options.law && result.verdict.parts == 1 && mesh.num_faces() > 1)
-    find_net_that_folds(mesh, options, run, result);
+  if (!options.law)
+    result.why_no_motion = "none was asked for";
+  else if (mesh.num_faces() == 1)
+    result.why_no_motion = "one panel needs none";
+  else if (result.verdict.parts > 1)
+    move_parts(options, run, result);
   else
-    find_motion(options, run, result);
+    find_net_that_folds(mesh, options, run, result);
   if (result.motion && !result.proven() && run.over()) result.ending = run.ending();
   if (result.motion) result.motion_kind = kind_of(result.motion->method);
   run.report("laying out pages", 0);
@@ -152,6 +152,8 @@ nlohmann::json craft_report(const Mesh& mesh, const CraftResult& result) {
     report["motion"] = {{"kind", result.motion_kind},
                         {"verdict", name(result.motion->proof.verdict)},
                         {"waypoints", result.motion->path.waypoints.size()}};
+  else
+    report["no_motion"] = result.why_no_motion;
   return report;
 }
 

@@ -77,7 +77,7 @@ TEST(FoldableNet, AnOverlapShallowerThanTheClearanceIsNoNet) {
 TEST(ClearTrees, NoNetOfTheSpikyCubeFoldsLinearlyButAPlannerFoldsOne) {
   if (kSanitized) GTEST_SKIP() << "takes minutes";
   const Mesh spiky = spiky_cube();
-  const NetAndMotion found = fold_or_plan(spiky, {}, 20);
+  const NetAndMotion found = fold_or_plan(spiky);
   EXPECT_TRUE(found.net.proven_impossible);
   EXPECT_EQ(found.net.ending, Ending::Exhausted);
   EXPECT_TRUE(verify_net(lay_flat(spiky, found.net.tree), spiky).is_net());
