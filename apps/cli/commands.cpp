@@ -11,6 +11,7 @@ std::vector<Command> all_commands() {
       info_command(),
       check_command(),
       unfold_command(),
+      segment_command(),
       export_command(),
       fold_command(),
       print_command(),

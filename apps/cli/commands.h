@@ -10,6 +10,7 @@ Command craft_command();
 Command info_command();
 Command check_command();
 Command unfold_command();
+Command segment_command();
 Command sample_command();
 Command export_command();
 Command fold_command();
