@@ -139,6 +139,8 @@ PileReach PileFit::look(const std::vector<Heading>& letters, int first_changed) 
       last_pile_ = pile;
       return {true, pile, 0};
     }
+    const bool known = static_cast<long>(letters.size()) >= std::min<long>(panels_ - 1, (pile + 1L) * height_);
+    if (!known) return {false, pile, pile > 0 ? least_waste(pile - 1) : 0, true};
     if (pile + 1 == piles || !step(pile, letters)) break;
   }
   return {false, pile, pile > 0 ? least_waste(pile - 1) : 0};

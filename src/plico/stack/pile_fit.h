@@ -22,8 +22,9 @@ std::vector<Heading> snake(int width, int depth, int symmetry);
 // How far a chain gets into a block.
 struct PileReach {
   bool fits = false;
-  int piles = 0;  // that could be filled and left again
-  int waste = 0;  // fewest slots left empty in these piles
+  int piles = 0;               // that could be filled and left again
+  int waste = 0;               // fewest slots left empty in these piles
+  bool wants_letters = false;  // the letters ended before the answer was known
   auto operator<=>(const PileReach&) const = default;
   bool at_least(const PileReach& other) const;  // farther, or as far with no more waste
 };
@@ -35,7 +36,8 @@ class PileFit {
   PileFit(const std::vector<Heading>& steps, int height, int panels);
 
   // Looks at the chain with these alternating headings. What is known of piles that end before `first_changed` hinge is
-  // kept from the last call. O(piles * (slack + shorts^2 * slack / 64)).
+  // kept from the last call. There may be fewer letters than hinges: see wants_letters. O(piles * (slack + shorts^2 *
+  // slack / 64)).
   PileReach look(const std::vector<Heading>& letters, int first_changed = 0);
 
   // The folds of a stack after a look that `fits`: one a hinge; first panel with its front up at the base.
