@@ -15,6 +15,7 @@ std::vector<Command> all_commands() {
       export_command(),
       fold_command(),
       print_command(),
+      voxelize_command(),
       sample_command(),
       origami_make_command(),
       origami_info_command(),

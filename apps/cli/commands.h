@@ -15,6 +15,7 @@ Command sample_command();
 Command export_command();
 Command fold_command();
 Command verify_command();
+Command voxelize_command();
 Command origami_make_command();
 Command origami_info_command();
 Command print_command();
