@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "plico/base/error.h"
 #include "plico/base/rng.h"
@@ -16,7 +17,10 @@
 namespace plico {
 namespace {
 
-constexpr long kStepsBeforeAllTrees = 100'000;  // well below a second
+constexpr double kGoldenRatio = 0.6180339887498949;  // of the smaller part: its multiples spread evenly
+constexpr long kStepsBeforeAllTrees = 100'000;       // well below a second
+
+long steps_for(const Mesh& mesh) { return 20'000 + std::min(120L * mesh.num_faces(), 600'000L); }
 
 PanelKit kit_of(const Mesh& mesh) {
   PanelKit kit;
@@ -76,13 +80,15 @@ class SampledCost : public MotionCost {
     const Linkage linkage = linkage_of(lay_flat(mesh_, tree));
     const FoldingPath path = path_by(options_.law, linkage);
     CollisionChecker checker(linkage, {.clearance = clearance_});
+    sampler_.keep_samples(std::max(options_.samples, scaled(24, 64)));
+    // Other moments at every look: the same ones would let through what the last net already had between them.
+    const double shift = std::fmod(0.25 + kGoldenRatio * looks_++, 1);
     const int checks = 8 * options_.samples;
-    int seen = 0;
-    for (int i = 0; i < checks; ++i) {
-      const double time = (i + 0.25) / checks;
+    for (int i = 0, seen = 0; i < checks && seen < scaled(4, 12) && !run.over(); ++i) {
+      const double time = (i + shift) / checks;
       if (!checker.collides(path.at(time))) continue;
       sampler_.add_sample(time);
-      if (++seen == 4) break;
+      ++seen;
     }
     if (cost() > 0) return Closer::Seen;
     const PathProof proof = prove_path(linkage, path, {.clearance = clearance_}, run);
@@ -93,10 +99,17 @@ class SampledCost : public MotionCost {
   }
 
  private:
+  // Larger meshes need more moments: from `few` for 2,000 faces and less to `many` for 5,000 and more.
+  int scaled(int few, int many) const {
+    const double share = std::clamp((mesh_.num_faces() - 2000) / 3000.0, 0.0, 1.0);
+    return few + static_cast<int>(share * (many - few));
+  }
+
   const Mesh& mesh_;
   const FoldableNetOptions& options_;
   double clearance_;
   BranchSampler sampler_;
+  long looks_ = 0;
 };
 
 // Replaces `found` by a net that folds if there is one. False when there is certainly none.
@@ -138,6 +151,15 @@ std::vector<std::pair<int, int>> crossing_faces(const Mesh& mesh, double clearan
     if (!neighbours) pairs.emplace_back(pair.a, pair.b);
   }
   return pairs;
+}
+
+// The best motion of one piece, proven or not; none for several.
+std::optional<Motion> planned_motion(const Mesh& mesh, const FoldForest& tree, const FoldableNetOptions& options,
+                                     const Run& run) {
+  const Linkage linkage = linkage_of(lay_flat(mesh, tree));
+  if (linkage.num_hinges() + 1 < static_cast<int>(linkage.panels.size())) return {};
+  const MotionOptions planning{.seed = options.seed, .clearance = options.clearance};
+  return plan_motion(linkage, planning, run).motions.front();
 }
 
 // The planner gets the rest of the time.
@@ -182,11 +204,12 @@ FoldableNet find_foldable_net(const Mesh& mesh, const FoldableNetOptions& option
     return find_foldable_net(mesh, start, new_cost, {.seed = options.seed, .max_steps = steps}, run);
   };
   const bool is_small = mesh.num_edges() <= kMostJoints;
-  FoldableResult found = search(is_small ? std::min(options.max_steps, kStepsBeforeAllTrees) : options.max_steps);
+  const long most = options.max_steps > 0 ? options.max_steps : steps_for(mesh);
+  FoldableResult found = search(is_small ? std::min(most, kStepsBeforeAllTrees) : most);
   if (is_small && found.ending == Ending::Exhausted) {
     result.proven_impossible = !look_at_all_trees(mesh, kit, options.law, clearance, run, found);
-    if (!result.proven_impossible && found.ending == Ending::Exhausted && options.max_steps > kStepsBeforeAllTrees)
-      found = search(options.max_steps);
+    if (!result.proven_impossible && found.ending == Ending::Exhausted && most > kStepsBeforeAllTrees)
+      found = search(most);
   }
   result.ending = found.ending;
   result.tree = found.overlaps > 0 ? find_net(mesh, {.seed = options.seed}, run).forest : found.tree;
@@ -200,17 +223,25 @@ FoldableNet find_foldable_net(const Mesh& mesh, const FoldableNetOptions& option
 
 NetAndMotion fold_or_plan(const Mesh& mesh, const FoldableNetOptions& options, const Run& run) {
   NetAndMotion result{find_foldable_net(mesh, options, run.deadline ? leaving_a_quarter(run) : run), {}};
-  const Linkage linkage = linkage_of(lay_flat(mesh, result.net.tree));
-  const bool one_piece = linkage.num_hinges() == static_cast<int>(linkage.panels.size()) - 1;
-  if (linkage.num_hinges() == 0 || !one_piece || !result.net.crossing.empty()) return result;
+  if (mesh.num_faces() == 1 || !result.net.crossing.empty()) return result;
   if (result.net.ending == Ending::Found) {
     const MotionMethod method = options.law == FoldingLaw::Linear ? MotionMethod::Linear : MotionMethod::Uniform;
     result.motion = Motion{method, result.net.path, result.net.proof};
-  } else {
-    run.report("planning a motion", 0);
-    const MotionOptions planning{.seed = options.seed, .clearance = options.clearance};
-    result.motion = plan_motion(linkage, planning, run).motions.front();
+    return result;
   }
+  run.report("planning a motion", 0);
+  // Nets that nearly fold by the law are seldom those that a planner can fold.
+  const SearchResult plain = find_net(mesh, {.seed = options.seed}, run);
+  if (plain.parts == 1 && !(plain.forest == result.net.tree)) {
+    std::optional<Motion> motion = planned_motion(mesh, plain.forest, options, run);
+    if (motion && motion->proof.verdict == PathVerdict::Free) {
+      result.net.tree = plain.forest;
+      result.net.path = path_by(options.law, linkage_of(lay_flat(mesh, plain.forest)));
+      result.motion = std::move(motion);
+      return result;
+    }
+  }
+  result.motion = planned_motion(mesh, result.net.tree, options, run);
   return result;
 }
 

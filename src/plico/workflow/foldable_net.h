@@ -19,8 +19,8 @@ struct FoldableNetOptions {
   std::uint64_t seed = 1;
   FoldingLaw law = FoldingLaw::Linear;
   double clearance = 0;  // units; 0: 1e-3 of the mean side length
-  int samples = 16;  // of the motion to begin with; more are added where a net that looked free collides; at least 1
-  long max_steps = 1'500'000;  // branches tried from each start
+  int samples = 16;      // of the motion to begin with; others come where a net that looked free collides; at least 1
+  long max_steps = 0;    // branches tried from each start; 0: 20,000 and 120 more a face, at most 620,000
 };
 
 struct FoldableNet {
@@ -43,9 +43,9 @@ struct FoldableNet {
 // InvalidInput.
 FoldableNet find_foldable_net(const Mesh& mesh, const FoldableNetOptions& options = {}, const Run& run = {});
 
-// The net that folds by the law; if the search found none, its best net with the best motion that a planner finds
-// (workflow/plan_motion.h). What is asked for the same mesh and options is answered the same: counts of steps and of
-// states end the searches, never a clock, unless `run` has a deadline.
+// The net that folds by the law. If the search found none, a net with the best motion that a planner finds
+// (workflow/plan_motion.h): of find_net(), or else the search's best. What is asked for the same mesh and options is
+// answered the same: counts of steps and of states end the searches, never a clock, unless `run` has a deadline.
 struct NetAndMotion {
   FoldableNet net;
   std::optional<Motion> motion;  // proven or not; none for a single panel, several parts or a mesh that crosses itself

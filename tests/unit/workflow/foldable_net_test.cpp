@@ -73,6 +73,7 @@ TEST(FoldableNet, TwoBodiesAreRefused) {
 TEST(FoldableNet, OptionsAreChecked) {
   EXPECT_THROW(check(FoldableOptions{.lanes = 0}), InvalidOption);
   EXPECT_THROW(check(FoldableOptions{.temperature = 0}), InvalidOption);
+  EXPECT_THROW(check(FoldableOptions{.nearby = 1.5}), InvalidOption);
 }
 
 }  // namespace
