@@ -1,0 +1,251 @@
+// segment_mesh(): cut what certainly fails, cut at necks, prove, and answer failures.
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "plico/base/error.h"
+#include "plico/mesh/measures.h"
+#include "plico/motion/collision.h"
+#include "plico/segment/must_part.h"
+#include "plico/segment/necks.h"
+#include "plico/unfold/heuristics.h"
+#include "plico/workflow/segment_mesh.h"
+
+namespace plico {
+namespace {
+
+using FacePair = std::pair<int, int>;
+
+constexpr int kSmallPiece = 60;  // faces: a failed part up to this size is offered to its neighbours before it is split
+
+// Faces that penetrate each other in the finished shape, whatever the net: no motion ends there. Neighbours are left
+// out, since a hinge may keep them apart.
+std::vector<FacePair> colliding_faces(const Mesh& mesh) {
+  const std::vector<double> even(mesh.num_edges(), 0.5);
+  const Unfolding net = lay_flat(mesh, lightest_forest(mesh, even));
+  const Linkage linkage = linkage_of(net);
+  CollisionChecker checker(linkage);
+  std::vector<FacePair> pairs;
+  for (const PanelPair& pair : checker.collisions(goal(linkage))) {
+    const FaceId a(net.mesh_face[pair.a]), b(net.mesh_face[pair.b]);
+    bool neighbours = false;
+    for (HalfedgeId h : mesh.halfedges(a)) neighbours |= mesh.twin(h).valid() && mesh.face(mesh.twin(h)) == b;
+    if (!neighbours) pairs.emplace_back(std::min<int>(a, b), std::max<int>(a, b));
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+std::string list_of(const std::vector<FacePair>& pairs) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min<std::size_t>(pairs.size(), 5); ++i)
+    text += fmt::format("{}{}-{}", i ? ", " : "", pairs[i].first, pairs[i].second);
+  return text + (pairs.size() > 5 ? ", ..." : "");
+}
+
+struct Piece {
+  std::vector<int> faces;  // ascending
+  int origin = 0;          // the part it was cut from when that failed
+  ProvenPart proof;
+};
+
+class Segmenter {
+ public:
+  Segmenter(const Mesh& mesh, const SegmentOptions& options, const Run& run)
+      : mesh_(mesh), options_(options), run_(run), graph_(mesh) {}
+
+  SegmentResult run() {
+    std::vector<int> part = certain_cuts();
+    part = cut_at_necks(graph_, std::move(part), neck_options(), run_);
+    make_pieces(part);
+    if (options_.wish != PartsWish::Exactly) {
+      answer_failures();
+      join_while_proven();
+    }
+    return finish();
+  }
+
+ private:
+  // Parts inside components, and apart what runs through itself.
+  std::vector<int> certain_cuts() {
+    std::vector<int> part = components(mesh_).of_face;
+    if (options_.prove.motion == PartMotion::None) return part;
+    run_.report("looking for faces that run through each other", 0);
+    apart_ = colliding_faces(mesh_);
+    if (apart_.empty()) return part;
+    notes_.push_back(fmt::format("one piece cannot fold: {} pairs of faces run through each other ({})", apart_.size(),
+                                 list_of(apart_)));
+    return part_pairs(graph_, std::move(part), apart_);
+  }
+
+  NeckCutOptions neck_options() const {
+    NeckCutOptions necks{.worst_score = options_.neck, .max_parts = options_.max_parts, .neck = {}};
+    necks.neck.min_area = options_.min_area;
+    if (options_.wish == PartsWish::Fewest) necks.max_parts = 1;
+    if (options_.wish == PartsWish::Exactly) {
+      necks.max_parts = options_.parts;
+      necks.worst_score = std::numeric_limits<double>::infinity();
+    }
+    return necks;
+  }
+
+  ProvenPart prove(const std::vector<int>& faces, const Run& run) const {
+    std::vector<FaceId> ids;
+    for (int f : faces) ids.emplace_back(f);
+    return prove_part(mesh_, ids, options_.prove, run);
+  }
+
+  void make_pieces(const std::vector<int>& part) {
+    pieces_.resize(*std::max_element(part.begin(), part.end()) + 1);
+    for (std::size_t f = 0; f < part.size(); ++f) pieces_[part[f]].faces.push_back(static_cast<int>(f));
+    for (std::size_t p = 0; p < pieces_.size(); ++p) pieces_[p].origin = static_cast<int>(p);
+    prove_from(0);
+  }
+
+  // Side by side, in any order: every proof stands alone.
+  void prove_from(std::size_t first) {
+    Run alone = run_;
+    alone.threads = 1;
+    alone.progress = nullptr;
+    run_.report("proving parts", static_cast<long>(first), static_cast<long>(pieces_.size()));
+    parallel_for(run_, static_cast<int>(pieces_.size() - first),
+                 [&](int i) { pieces_[first + i].proof = prove(pieces_[first + i].faces, alone); });
+    for (std::size_t i = first; i < pieces_.size(); ++i)
+      if (!pieces_[i].proof.proven()) failed_.insert(pieces_[i].faces);
+  }
+
+  int first_failure() const {
+    const auto at = std::find_if(pieces_.begin(), pieces_.end(), [](const Piece& p) { return !p.proof.proven(); });
+    return at == pieces_.end() ? -1 : static_cast<int>(at - pieces_.begin());
+  }
+
+  void answer_failures() {
+    for (int p = first_failure(); p >= 0 && !run_.over(); p = first_failure())
+      if (!join_small(p)) split(p);
+  }
+
+  bool join_small(int p) {
+    if (options_.wish == PartsWish::Fewest || pieces_[p].faces.size() > kSmallPiece) return false;
+    for (const auto& [cost, pair] : seams_by_cost())
+      if ((pair.first == p || pair.second == p) && join(pair.first, pair.second)) return true;
+    return false;
+  }
+
+  // In two at its best neck, however small.
+  void split(int p) {
+    const std::optional<Neck> neck = best_neck(graph_, pieces_[p].faces, {.min_area = 0});
+    PLICO_ASSERT(neck.has_value());
+    std::vector<int> rest;
+    std::set_difference(pieces_[p].faces.begin(), pieces_[p].faces.end(), neck->side.begin(), neck->side.end(),
+                        std::back_inserter(rest));
+    const int origin = pieces_[p].origin;
+    pieces_.erase(pieces_.begin() + p);
+    pieces_.push_back({rest, origin, {}});
+    pieces_.push_back({neck->side, origin, {}});
+    prove_from(pieces_.size() - 2);
+    for (std::size_t i = pieces_.size() - 2; i < pieces_.size(); ++i) was_split_.insert(origin);
+  }
+
+  // Seams between pieces, the dearest first.
+  std::vector<std::pair<double, FacePair>> seams_by_cost() const {
+    std::vector<int> piece(mesh_.num_faces());
+    for (std::size_t p = 0; p < pieces_.size(); ++p)
+      for (int f : pieces_[p].faces) piece[f] = static_cast<int>(p);
+    std::map<FacePair, double> cost;
+    for (int f = 0; f < mesh_.num_faces(); ++f)
+      for (const DualGraph::Arc& arc : graph_.arcs(f))
+        if (piece[f] < piece[arc.to]) cost[{piece[f], piece[arc.to]}] += arc.cost;
+    std::vector<std::pair<double, FacePair>> seams;
+    for (const auto& [pair, sum] : cost) seams.emplace_back(sum, pair);
+    std::stable_sort(seams.begin(), seams.end(), [](const auto& s, const auto& t) { return s.first > t.first; });
+    return seams;
+  }
+
+  bool holds_a_pair_apart(const std::vector<int>& faces) const {
+    return std::any_of(apart_.begin(), apart_.end(), [&](const FacePair& pair) {
+      return std::binary_search(faces.begin(), faces.end(), pair.first) &&
+             std::binary_search(faces.begin(), faces.end(), pair.second);
+    });
+  }
+
+  // Joins two pieces when their union is proven. What failed once is not tried again.
+  bool join(int p, int q) {
+    std::vector<int> faces;
+    std::merge(pieces_[p].faces.begin(), pieces_[p].faces.end(), pieces_[q].faces.begin(), pieces_[q].faces.end(),
+               std::back_inserter(faces));
+    if (failed_.contains(faces) || holds_a_pair_apart(faces)) return false;
+    ProvenPart proof = prove(faces, run_);
+    if (!proof.proven()) {
+      failed_.insert(faces);
+      return false;
+    }
+    pieces_[p] = {std::move(faces), pieces_[p].origin, std::move(proof)};
+    pieces_.erase(pieces_.begin() + q);
+    return true;
+  }
+
+  // Fewest: any neighbours; else only pieces of one part that was split because it failed.
+  bool may_join(const Piece& a, const Piece& b) const {
+    if (options_.wish == PartsWish::Fewest) return true;
+    return a.origin == b.origin && was_split_.contains(a.origin);
+  }
+
+  void join_while_proven() {
+    bool joined = true;
+    while (joined && !run_.over()) {
+      joined = false;
+      for (const auto& [cost, pair] : seams_by_cost()) {
+        if (run_.over() || !may_join(pieces_[pair.first], pieces_[pair.second])) continue;
+        run_.report("joining parts", 0, 0);
+        joined = join(pair.first, pair.second);
+        if (joined) break;
+      }
+    }
+  }
+
+  SegmentResult finish() {
+    std::vector<int> part(mesh_.num_faces());
+    for (std::size_t p = 0; p < pieces_.size(); ++p)
+      for (int f : pieces_[p].faces) part[f] = static_cast<int>(p);
+    Segmentation parts = segmentation_by_labels(mesh_, part);
+    std::vector<ProvenPart> proofs(pieces_.size());
+    for (Piece& piece : pieces_) proofs[parts.part[piece.faces[0]]] = std::move(piece.proof);
+    if (options_.wish == PartsWish::Exactly && parts.num_parts() != options_.parts)
+      notes_.push_back(fmt::format("{} parts were asked for, there are {}", options_.parts, parts.num_parts()));
+    SegmentResult result = put_together(mesh_, std::move(parts), std::move(proofs), run_);
+    result.notes = std::move(notes_);
+    return result;
+  }
+
+  const Mesh& mesh_;
+  const SegmentOptions& options_;
+  const Run& run_;
+  DualGraph graph_;
+  std::vector<FacePair> apart_;  // certainly not in one part
+  std::vector<Piece> pieces_;
+  std::set<std::vector<int>> failed_;  // sets of faces that have no proof: the ledger
+  std::set<int> was_split_;            // origins
+  std::vector<std::string> notes_;
+};
+
+}  // namespace
+
+void check(const SegmentOptions& options) {
+  require(options.neck > 0, "neck", options.neck, "above 0");
+  require(options.max_parts >= 1, "max-parts", options.max_parts, "at least 1");
+  require(options.min_area >= 0 && options.min_area <= 0.5, "min-area", options.min_area, "in [0, 0.5]");
+}
+
+SegmentResult segment_mesh(const Mesh& mesh, const SegmentOptions& options, const Run& run) {
+  check(options);
+  if (options.wish == PartsWish::Exactly) {
+    const int least = components(mesh).count;
+    require(options.parts >= least && options.parts <= mesh.num_faces(), "parts", options.parts,
+            fmt::format("in [{}, {}], the components and the faces of the mesh", least, mesh.num_faces()));
+  }
+  return Segmenter(mesh, options, run).run();
+}
+
+}  // namespace plico
