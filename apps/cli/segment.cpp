@@ -25,7 +25,8 @@ namespace {
 using nlohmann::json;
 
 struct SegmentArgs {
-  std::string mesh, by = "foldability", labels, motions, motion = "linear", repair = "safe", parts = "auto";
+  std::string mesh, by = "foldability", labels, motions, motion = "linear", repair = "safe", parts = "auto",
+                    method = "necks";
   SegmentOptions options;
 };
 
@@ -130,6 +131,9 @@ void write_motions(const SegmentArgs& args, const SegmentResult& result, Session
 int segment_file(SegmentArgs& args, Session& session) {
   check_usage(args);
   args.options.prove = {.seed = session.seed(), .motion = part_motion(args.motion)};
+  args.options.method = args.method == "clusters" ? SegmentMethod::Clusters
+                        : args.method == "random" ? SegmentMethod::Random
+                                                  : SegmentMethod::Necks;
   set_wish(args.options, args.parts);
   check(args.options);
   const std::vector<std::string> outputs = fold_outputs(session);
@@ -164,6 +168,8 @@ Command segment_command() {
       .option("--parts", "WISH",
               "auto: cut at every good neck; fewest: cut only what does not fold in one piece; or a number",
               args->parts)
+      .choice("--method", "how the mesh is cut: necks, or clusters of the dissertation, or at random, to compare with",
+              args->method, {"necks", "clusters", "random"})
       .option("--neck", "SCORE", "auto: cut where seam over area scores below this; more means more parts",
               options.neck)
       .option("--max-parts", "N", "auto: at most so many parts, unless parts fail", options.max_parts)

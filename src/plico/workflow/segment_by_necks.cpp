@@ -1,16 +1,20 @@
-// segment_mesh(): cut what certainly fails, cut at necks, prove, and answer failures.
+// segment_mesh(): a first cut by the method asked for, proofs, and answers to what fails.
 #include <algorithm>
 #include <iterator>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "plico/base/error.h"
 #include "plico/mesh/measures.h"
 #include "plico/motion/collision.h"
+#include "plico/segment/clusters.h"
 #include "plico/segment/must_part.h"
 #include "plico/segment/necks.h"
+#include "plico/unfold/flat_faces.h"
 #include "plico/unfold/heuristics.h"
+#include "plico/unfold/overlap.h"
 #include "plico/workflow/segment_mesh.h"
 
 namespace plico {
@@ -18,6 +22,9 @@ namespace {
 
 using FacePair = std::pair<int, int>;
 
+constexpr int kGivenParts = 10;           // of clusters and random parts, unless a number is asked for
+constexpr int kMostForClusters = 20'000;  // faces: a matrix of 1.6 GB
+constexpr int kTrials = 100;              // unfoldings that clusters learn from
 constexpr int kSmallPiece = 60;  // faces: a failed part up to this size is offered to its neighbours before it is split
 
 // Faces that penetrate each other in the finished shape, whatever the net: no motion ends there. Neighbours are left
@@ -57,17 +64,54 @@ class Segmenter {
       : mesh_(mesh), options_(options), run_(run), graph_(mesh) {}
 
   SegmentResult run() {
-    std::vector<int> part = certain_cuts();
-    part = cut_at_necks(graph_, std::move(part), neck_options(), run_);
-    make_pieces(part);
-    if (options_.wish != PartsWish::Exactly) {
-      answer_failures();
-      join_while_proven();
-    }
+    make_pieces(first_cut());
+    if (options_.wish != PartsWish::Exactly) answer_failures();
+    if (options_.wish != PartsWish::Exactly && options_.method == SegmentMethod::Necks) join_while_proven();
     return finish();
   }
 
  private:
+  std::vector<int> first_cut() {
+    if (options_.method == SegmentMethod::Necks) return cut_at_necks(graph_, certain_cuts(), neck_options(), run_);
+    if (options_.method == SegmentMethod::Clusters) learn();
+    std::vector<int> part = components(mesh_).of_face;
+    const int wanted = options_.wish == PartsWish::Exactly ? options_.parts : kGivenParts;
+    // A mesh in several components has its parts in the largest.
+    std::map<int, std::vector<int>> faces;
+    for (FaceId f : mesh_.faces()) faces[part[f]].push_back(f);
+    const auto largest = std::max_element(
+        faces.begin(), faces.end(), [](const auto& a, const auto& b) { return a.second.size() < b.second.size(); });
+    const int count = static_cast<int>(faces.size());
+    const std::vector<int> cut = cut_by_method(largest->second, std::max(1, wanted - count + 1));
+    for (std::size_t i = 0; i < cut.size(); ++i)
+      if (cut[i] > 0) part[largest->second[i]] = count + cut[i] - 1;
+    return part;
+  }
+
+  // Clusters or random parts of connected faces.
+  std::vector<int> cut_by_method(const std::vector<int>& faces, int k) {
+    k = std::min(k, static_cast<int>(faces.size()));
+    const std::uint64_t seed = Rng(options_.prove.seed).stream(cuts_made_++).next();
+    if (options_.method == SegmentMethod::Random) return random_parts(graph_, faces, k, seed);
+    return cluster(graph_, *foldability_, faces, k, seed);
+  }
+
+  // [Xi17] 4.2.1: what overlaps in steepest-edge trees of random directions.
+  void learn() {
+    const Rng rng(options_.prove.seed);
+    const FlatFaces panels(mesh_);
+    foldability_.emplace(
+        mesh_, kTrials,
+        [&](int i) {
+          Rng own = rng.stream(i);
+          const Vec3 direction = random_direction(own);
+          FoldForest tree = lightest_forest(mesh_, dual_weights(mesh_, Heuristic::SteepestEdge, direction, own));
+          std::vector<FacePair> overlaps = overlapping_pairs(panels, lay_panels(panels, tree));
+          return UnfoldingTrial{std::move(tree.is_fold), std::move(overlaps)};
+        },
+        run_);
+  }
+
   // Parts inside components, and apart what runs through itself.
   std::vector<int> certain_cuts() {
     std::vector<int> part = components(mesh_).of_face;
@@ -127,25 +171,40 @@ class Segmenter {
   }
 
   bool join_small(int p) {
-    if (options_.wish == PartsWish::Fewest || pieces_[p].faces.size() > kSmallPiece) return false;
+    if (options_.wish == PartsWish::Fewest || options_.method != SegmentMethod::Necks) return false;
+    if (pieces_[p].faces.size() > kSmallPiece) return false;
     for (const auto& [cost, pair] : seams_by_cost())
       if ((pair.first == p || pair.second == p) && join(pair.first, pair.second)) return true;
     return false;
   }
 
-  // In two at its best neck, however small.
+  // One side of a cut in two: at the best neck, however small, or as the method has it.
+  std::vector<int> side_of_cut(const std::vector<int>& faces) {
+    std::vector<int> side;
+    if (options_.method != SegmentMethod::Necks) {
+      const std::vector<int> cut = cut_by_method(faces, 2);
+      for (std::size_t i = 0; i < cut.size(); ++i)
+        if (cut[i] == 1) side.push_back(faces[i]);
+    }
+    if (side.empty()) {  // clusters may be empty
+      const std::optional<Neck> neck = best_neck(graph_, faces, {.min_area = 0});
+      PLICO_ASSERT(neck.has_value());
+      side = neck->side;
+    }
+    return side;
+  }
+
   void split(int p) {
-    const std::optional<Neck> neck = best_neck(graph_, pieces_[p].faces, {.min_area = 0});
-    PLICO_ASSERT(neck.has_value());
+    const std::vector<int> side = side_of_cut(pieces_[p].faces);
     std::vector<int> rest;
-    std::set_difference(pieces_[p].faces.begin(), pieces_[p].faces.end(), neck->side.begin(), neck->side.end(),
+    std::set_difference(pieces_[p].faces.begin(), pieces_[p].faces.end(), side.begin(), side.end(),
                         std::back_inserter(rest));
     const int origin = pieces_[p].origin;
     pieces_.erase(pieces_.begin() + p);
     pieces_.push_back({rest, origin, {}});
-    pieces_.push_back({neck->side, origin, {}});
+    pieces_.push_back({side, origin, {}});
+    was_split_.insert(origin);
     prove_from(pieces_.size() - 2);
-    for (std::size_t i = pieces_.size() - 2; i < pieces_.size(); ++i) was_split_.insert(origin);
   }
 
   // Seams between pieces, the dearest first.
@@ -223,7 +282,9 @@ class Segmenter {
   const SegmentOptions& options_;
   const Run& run_;
   DualGraph graph_;
-  std::vector<FacePair> apart_;  // certainly not in one part
+  std::optional<Foldability> foldability_;  // for clusters
+  std::uint64_t cuts_made_ = 0;             // by clusters or at random: each has a random stream of its own
+  std::vector<FacePair> apart_;             // certainly not in one part
   std::vector<Piece> pieces_;
   std::set<std::vector<int>> failed_;  // sets of faces that have no proof: the ledger
   std::set<int> was_split_;            // origins
@@ -245,6 +306,9 @@ SegmentResult segment_mesh(const Mesh& mesh, const SegmentOptions& options, cons
     require(options.parts >= least && options.parts <= mesh.num_faces(), "parts", options.parts,
             fmt::format("in [{}, {}], the components and the faces of the mesh", least, mesh.num_faces()));
   }
+  if (options.method == SegmentMethod::Clusters)
+    require(mesh.num_faces() <= kMostForClusters, "faces", mesh.num_faces(),
+            fmt::format("at most {} for clusters, whose matrix is dense", kMostForClusters));
   return Segmenter(mesh, options, run).run();
 }
 
