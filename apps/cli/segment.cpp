@@ -90,6 +90,7 @@ std::string proof_text(const ProvenPart& part, const std::string& motion) {
                        part.proven_impossible ? ", as every tree overlaps" : "");
   if (motion == "none") return "net verified";
   if (part.net.sheet.num_faces() == 1) return "one panel";
+  if (!part.crossing.empty()) return "net verified, the part runs through itself, so no motion can fold it";
   if (part.proven()) return fmt::format("net verified, {} motion proven free", name(part.motion->method));
   return part.proven_impossible ? fmt::format("net verified, no net of it has a free {} motion", motion)
                                 : fmt::format("net verified, no free {} motion found", motion);

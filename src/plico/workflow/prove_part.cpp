@@ -35,6 +35,7 @@ void find_part_net_and_motion(const ProvePartOptions& options, const Run& run, P
   part.ending = found.ending;
   part.forest = std::move(found.tree);
   part.proven_impossible = found.proven_impossible;
+  part.crossing = std::move(found.crossing);
   part.steps = found.steps;
   const MotionMethod by = options.motion == PartMotion::Uniform ? MotionMethod::Uniform : MotionMethod::Linear;
   if (found.ending == Ending::Found) part.motion = Motion{by, std::move(found.path), found.proof};
@@ -43,7 +44,7 @@ void find_part_net_and_motion(const ProvePartOptions& options, const Run& run, P
 // No law folds the net: a planner may.
 void plan_part_motion(const ProvePartOptions& options, const Run& run, ProvenPart& part) {
   const Linkage linkage = linkage_of(part.net);
-  MotionOutcome planned = plan_motion(linkage, {.seed = options.seed}, limited(run, options.planning_seconds));
+  MotionOutcome planned = plan_motion(linkage, {.seed = options.seed}, run);
   if (planned.motions.empty()) return;
   if (planned.proven()) part.ending = Ending::Found, part.proven_impossible = false;
   part.motion = std::move(planned.motions.front());
@@ -63,8 +64,8 @@ ProvenPart prove_part(const Mesh& mesh, const std::vector<FaceId>& faces, const 
     find_part_net_and_motion(options, run, part);
   part.net = lay_flat(part.shape.mesh, part.forest);
   part.verdict = verify_net(part.net, part.shape.mesh);
-  if (options.motion == PartMotion::Any && !part.proven() && part.verdict.is_net())
-    plan_part_motion(options, run, part);
+  const bool may_plan = options.motion == PartMotion::Any && part.crossing.empty();
+  if (may_plan && !part.proven() && part.verdict.is_net()) plan_part_motion(options, run, part);
   if (part.ending == Ending::Found && !part.verdict.is_net()) part.ending = Ending::Exhausted;
   return part;
 }

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "plico/base/run.h"
@@ -21,7 +22,6 @@ struct ProvePartOptions {
   // Of each of two searches side by side, for parts of up to 300 faces; fewer for larger ones. At least 1. A search
   // that ends with kNearMiss collisions or fewer is given ten times as many.
   long steps = 20'000;
-  double planning_seconds = 10;  // for PartMotion::Any, where no linear motion was found
 };
 
 inline constexpr int kNearMiss = 3;
@@ -34,7 +34,8 @@ struct ProvenPart {
   NetVerdict verdict;
   std::optional<Motion> motion;    // the best found, of linkage_of(net); none when none is asked for or nothing moves
   bool proven_impossible = false;  // no net of this part is as asked for: every spanning tree was looked at
-  long steps = 0;                  // of the search
+  std::vector<std::pair<int, int>> crossing;  // faces of shape.mesh that run through each other: no motion can end well
+  long steps = 0;                             // of the search
 
   // A verified net in one piece whose motion, if one is asked for, is free of collision at every moment.
   bool proven() const { return ending == Ending::Found; }

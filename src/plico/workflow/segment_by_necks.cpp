@@ -8,7 +8,6 @@
 
 #include "plico/base/error.h"
 #include "plico/mesh/measures.h"
-#include "plico/motion/collision.h"
 #include "plico/segment/clusters.h"
 #include "plico/segment/must_part.h"
 #include "plico/segment/necks.h"
@@ -26,24 +25,6 @@ constexpr int kGivenParts = 10;           // of clusters and random parts, unles
 constexpr int kMostForClusters = 20'000;  // faces: a matrix of 1.6 GB
 constexpr int kTrials = 100;              // unfoldings that clusters learn from
 constexpr int kSmallPiece = 60;  // faces: a failed part up to this size is offered to its neighbours before it is split
-
-// Faces that penetrate each other in the finished shape, whatever the net: no motion ends there. Neighbours are left
-// out, since a hinge may keep them apart.
-std::vector<FacePair> colliding_faces(const Mesh& mesh) {
-  const std::vector<double> even(mesh.num_edges(), 0.5);
-  const Unfolding net = lay_flat(mesh, lightest_forest(mesh, even));
-  const Linkage linkage = linkage_of(net);
-  CollisionChecker checker(linkage);
-  std::vector<FacePair> pairs;
-  for (const PanelPair& pair : checker.collisions(goal(linkage))) {
-    const FaceId a(net.mesh_face[pair.a]), b(net.mesh_face[pair.b]);
-    bool neighbours = false;
-    for (HalfedgeId h : mesh.halfedges(a)) neighbours |= mesh.twin(h).valid() && mesh.face(mesh.twin(h)) == b;
-    if (!neighbours) pairs.emplace_back(std::min<int>(a, b), std::max<int>(a, b));
-  }
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
-}
 
 std::string list_of(const std::vector<FacePair>& pairs) {
   std::string text;
@@ -117,7 +98,7 @@ class Segmenter {
     std::vector<int> part = components(mesh_).of_face;
     if (options_.prove.motion == PartMotion::None) return part;
     run_.report("looking for faces that run through each other", 0);
-    apart_ = colliding_faces(mesh_);
+    apart_ = crossing_faces(mesh_);
     if (apart_.empty()) return part;
     notes_.push_back(fmt::format("one piece cannot fold: {} pairs of faces run through each other ({})", apart_.size(),
                                  list_of(apart_)));
