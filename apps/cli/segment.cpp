@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <cctype>
-#include <charconv>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -29,15 +28,6 @@ struct SegmentArgs {
                     method = "necks";
   SegmentOptions options;
 };
-
-// "auto", "fewest" or a number.
-void set_wish(SegmentOptions& options, const std::string& word) {
-  options.wish = word == "auto" ? PartsWish::Auto : word == "fewest" ? PartsWish::Fewest : PartsWish::Exactly;
-  if (options.wish != PartsWish::Exactly) return;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), options.parts);
-  if (error != std::errc() || end != word.data() + word.size() || options.parts < 1)
-    throw InvalidOption(fmt::format("parts = {} must be auto, fewest or a number of at least 1", word));
-}
 
 PartMotion part_motion(const std::string& word) {
   static const std::map<std::string, PartMotion> kinds{{"linear", PartMotion::Linear},

@@ -1,5 +1,6 @@
 // segment_mesh(): a first cut by the method asked for, proofs, and answers to what fails.
 #include <algorithm>
+#include <charconv>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -278,6 +279,14 @@ void check(const SegmentOptions& options) {
   require(options.neck > 0, "neck", options.neck, "above 0");
   require(options.max_parts >= 1, "max-parts", options.max_parts, "at least 1");
   require(options.min_area >= 0 && options.min_area <= 0.5, "min-area", options.min_area, "in [0, 0.5]");
+}
+
+void set_wish(SegmentOptions& options, const std::string& word) {
+  options.wish = word == "auto" ? PartsWish::Auto : word == "fewest" ? PartsWish::Fewest : PartsWish::Exactly;
+  if (options.wish != PartsWish::Exactly) return;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), options.parts);
+  if (error != std::errc() || end != word.data() + word.size() || options.parts < 1)
+    throw InvalidOption(fmt::format("parts = {} must be auto, fewest or a number of at least 1", word));
 }
 
 SegmentResult segment_mesh(const Mesh& mesh, const SegmentOptions& options, const Run& run) {

@@ -24,6 +24,8 @@ struct SegmentOptions {
   ProvePartOptions prove;
 };
 void check(const SegmentOptions& options);  // throws InvalidOption
+// "auto", "fewest" or a number, as users write it. Throws InvalidOption.
+void set_wish(SegmentOptions& options, const std::string& word);
 
 struct SegmentResult {
   Ending ending = Ending::Exhausted;  // Found: every part is proven
