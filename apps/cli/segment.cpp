@@ -24,7 +24,9 @@ namespace {
 using nlohmann::json;
 
 struct SegmentArgs {
-  std::string mesh, by = "components", labels, motions, motion = "linear", repair = "safe";
+  std::string mesh, by = "foldability", labels, motions, motion = "linear", repair = "safe", parts = "auto",
+                    method = "necks";
+  SegmentOptions options;
 };
 
 PartMotion part_motion(const std::string& word) {
@@ -78,6 +80,7 @@ std::string proof_text(const ProvenPart& part, const std::string& motion) {
                        part.proven_impossible ? ", as every tree overlaps" : "");
   if (motion == "none") return "net verified";
   if (part.net.sheet.num_faces() == 1) return "one panel";
+  if (!part.crossing.empty()) return "net verified, the part runs through itself, so no motion can fold it";
   if (part.proven()) return fmt::format("net verified, {} motion proven free", name(part.motion->method));
   return part.proven_impossible ? fmt::format("net verified, no net of it has a free {} motion", motion)
                                 : fmt::format("net verified, no free {} motion found", motion);
@@ -118,11 +121,18 @@ void write_motions(const SegmentArgs& args, const SegmentResult& result, Session
 
 int segment_file(SegmentArgs& args, Session& session) {
   check_usage(args);
+  args.options.prove = {.seed = session.seed(), .motion = part_motion(args.motion)};
+  args.options.method = args.method == "clusters" ? SegmentMethod::Clusters
+                        : args.method == "random" ? SegmentMethod::Random
+                                                  : SegmentMethod::Necks;
+  set_wish(args.options, args.parts);
+  check(args.options);
   const std::vector<std::string> outputs = fold_outputs(session);
   make_folder(args.motions);
   const Mesh mesh = read_mesh(args.mesh, args.repair, session);
-  const ProvePartOptions prove{.seed = session.seed(), .motion = part_motion(args.motion)};
-  const SegmentResult result = prove_parts(mesh, parts_of(mesh, args, session), prove, session.run());
+  const SegmentResult result =
+      args.by == "foldability" ? segment_mesh(mesh, args.options, session.run())
+                               : prove_parts(mesh, parts_of(mesh, args, session), args.options.prove, session.run());
   session.report().update(report_of(mesh, args, result));
   say_parts(session, args, mesh, result);
   if (!result.verdict.valid()) return kInternal;
@@ -138,11 +148,23 @@ int segment_file(SegmentArgs& args, Session& session) {
 Command segment_command() {
   auto args = std::make_shared<SegmentArgs>();
   Command command("segment", "Cut a mesh into named parts, each with a verified net and a proven motion");
-  command.example("plico segment robot.obj --by components -o robot.fold", "one part for each piece of the model")
+  SegmentOptions& options = args->options;
+  command.example("plico segment bird.obj -o bird.fold", "head, wings, legs: parts that come off at necks")
+      .example("plico segment star.obj --parts fewest -o star.fold", "as few parts as are proven to fold")
+      .example("plico segment robot.obj --by components -o robot.fold", "one part for each piece of the model")
       .example("plico segment dog.obj --by groups -o dog.fold", "the groups of an OBJ file, with their names")
       .example("plico segment dog.obj --by labels --labels dog.seg -o dog.fold", "one label a line and a face")
       .positional("mesh", "OBJ, OFF, STL or PLY file; - for standard input", args->mesh)
-      .choice("--by", "what makes a part", args->by, {"components", "groups", "labels"})
+      .choice("--by", "what makes a part", args->by, {"foldability", "components", "groups", "labels"})
+      .option("--parts", "WISH",
+              "auto: cut at every good neck; fewest: cut only what does not fold in one piece; or a number",
+              args->parts)
+      .choice("--method", "how the mesh is cut: necks, or clusters of the dissertation, or at random, to compare with",
+              args->method, {"necks", "clusters", "random"})
+      .option("--neck", "SCORE", "auto: cut where seam over area scores below this; more means more parts",
+              options.neck)
+      .option("--max-parts", "N", "auto: at most so many parts, unless parts fail", options.max_parts)
+      .option("--min-area", "SHARE", "of the surface, in the smallest part cut off at a neck", options.min_area)
       .option("--labels", "FILE", "for --by labels: one number or word a line, for each face", args->labels)
       .choice("--motion", "what must be proven free of collision for each part, besides its net", args->motion,
               {"linear", "uniform", "any", "none"})

@@ -24,15 +24,29 @@ std::string_view kind_of(MotionMethod method) {
   return method == MotionMethod::Linear || method == MotionMethod::Uniform ? name(method) : "planned";
 }
 
-// A mesh in several pieces becomes a kit: every piece has its own net and motion.
-void find_kit(const Mesh& mesh, Segmentation pieces, const CraftOptions& options, const Run& run, CraftResult& result) {
+ProvePartOptions wanted_of_parts(const CraftOptions& options) {
+  ProvePartOptions wanted{.seed = options.unfold.search.seed};
+  if (!options.law)
+    wanted.motion = PartMotion::None;
+  else
+    wanted.motion = *options.law == FoldingLaw::Uniform ? PartMotion::Uniform : PartMotion::Any;
+  return wanted;
+}
+
+// A mesh in several pieces, or cut into parts, becomes a kit: every piece has its own net and motion.
+void find_kit(const Mesh& mesh, const CraftOptions& options, const Run& run, CraftResult& result) {
   run.report("looking for nets that fold", 0);
-  const ProvePartOptions wanted{.seed = options.unfold.search.seed,
-                                .motion = *options.law == FoldingLaw::Uniform ? PartMotion::Uniform : PartMotion::Any};
-  SegmentResult kit = prove_parts(mesh, std::move(pieces), wanted, run);
+  SegmentResult kit;
+  if (options.parts) {
+    SegmentOptions cut = *options.parts;
+    cut.prove = wanted_of_parts(options);
+    kit = segment_mesh(mesh, cut, run);
+  } else {
+    kit = prove_parts(mesh, by_components(mesh), wanted_of_parts(options), run);
+  }
   result.ending = kit.ending;
-  result.motion = motion_of_pieces(mesh, kit, run);
-  if (!result.motion) result.why_no_motion = "nothing turns";
+  if (options.law) result.motion = motion_of_pieces(mesh, kit, run);
+  if (!result.motion) result.why_no_motion = options.law ? "nothing turns" : "none was asked for";
   result.net = kit.net;
   result.verdict = kit.verdict;
   result.kit = std::move(kit);
@@ -132,9 +146,8 @@ void add_pages(const CraftOptions& options, CraftResult& result) {
 
 CraftResult craft(const Mesh& mesh, const CraftOptions& options, const Run& run) {
   CraftResult result;
-  Segmentation pieces = by_components(mesh);
-  if (options.law && pieces.num_parts() > 1)
-    find_kit(mesh, std::move(pieces), options, run, result);
+  if (options.parts || (options.law && components(mesh).count > 1))
+    find_kit(mesh, options, run, result);
   else
     find_net(mesh, options, run, result);
   if (result.motion && !result.proven() && run.over()) result.ending = run.ending();

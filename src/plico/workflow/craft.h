@@ -22,6 +22,9 @@ struct CraftOptions {
   // A net that folds with all creases moving by this law is looked for, else one with any motion, as fold_or_plan()
   // does. None: any net, and no motion is looked for.
   std::optional<FoldingLaw> law = FoldingLaw::Linear;
+  // Cut into parts that fold instead of one net, as segment_mesh() does; its motion and seed follow from `law` and
+  // `unfold`.
+  std::optional<SegmentOptions> parts;
   UnfoldOptions unfold;
   LayoutOptions layout;
   DrawOptions draw;

@@ -1,46 +1,31 @@
 // From a mesh to named parts, each with a verified net and a proven motion.
 #pragma once
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "plico/base/run.h"
 #include "plico/mesh/segmentation.h"
-#include "plico/mesh/submesh.h"
 #include "plico/verify/net.h"
-#include "plico/workflow/foldable_net.h"
-#include "plico/workflow/plan_motion.h"
+#include "plico/workflow/prove_part.h"
 
 namespace plico {
 
-// What every part must have besides a net in one piece.
-enum class PartMotion { Linear, Uniform, Any, None };  // Any: linear or else planned
+enum class SegmentMethod { Necks, Clusters, Random };
+enum class PartsWish { Auto, Fewest, Exactly };  // cut at necks; cut only what fails; as many as are asked for
 
-struct ProvePartOptions {
-  std::uint64_t seed = 1;
-  PartMotion motion = PartMotion::Linear;
-  long steps = 60'000;           // of the search for parts of up to 300 faces, fewer for larger ones; at least 1
-  double planning_seconds = 10;  // for PartMotion::Any, where no linear motion was found
+struct SegmentOptions {
+  SegmentMethod method = SegmentMethod::Necks;
+  PartsWish wish = PartsWish::Auto;
+  int parts = 0;            // for Exactly, in [components, faces]
+  double neck = 0.8;        // Auto: no cut scores this or more (segment/necks.h); above 0
+  int max_parts = 12;       // Auto: of the cuts at necks, more only where parts fail; at least 1
+  double min_area = 0.008;  // of a part cut off at a neck, as a share of the mesh; in [0, 0.5]
+  ProvePartOptions prove;
 };
-
-struct ProvenPart {
-  Submesh shape;                      // the part as a mesh of its own
-  Ending ending = Ending::Exhausted;  // Found: net and motion are as asked for
-  FoldForest forest;                  // of shape.mesh
-  Unfolding net;                      // lay_flat(shape.mesh, forest): one piece, or the fewest found
-  NetVerdict verdict;
-  std::optional<Motion> motion;    // the best found, of linkage_of(net); none when none is asked for or nothing moves
-  bool proven_impossible = false;  // no net of this part is as asked for: every spanning tree was looked at
-  long steps = 0;                  // of the search
-
-  // A verified net in one piece whose motion, if one is asked for, is free of collision at every moment.
-  bool proven() const { return ending == Ending::Found; }
-};
-
-// Searches a net and a motion of some faces of a mesh, which must be connected, and judges both.
-ProvenPart prove_part(const Mesh& mesh, const std::vector<FaceId>& faces, const ProvePartOptions& options = {},
-                      const Run& run = {});
+void check(const SegmentOptions& options);  // throws InvalidOption
+// "auto", "fewest" or a number, as users write it. Throws InvalidOption.
+void set_wish(SegmentOptions& options, const std::string& word);
 
 struct SegmentResult {
   Ending ending = Ending::Exhausted;  // Found: every part is proven
@@ -58,6 +43,15 @@ struct SegmentResult {
 // Nets and motions for parts that are given. Parts are proven one by one on run.threads threads.
 SegmentResult prove_parts(const Mesh& mesh, Segmentation parts, const ProvePartOptions& options = {},
                           const Run& run = {});
+
+// The same from proofs that are there, in the order of `parts`.
+SegmentResult put_together(const Mesh& mesh, Segmentation parts, std::vector<ProvenPart> proven, const Run& run = {});
+
+// Parts that fold: first what certainly fails is cut (faces that run through each other), then necks, as the wish says;
+// every part is proven, parts that fail are joined to a neighbour or split, and split ones joined again while that is
+// proven. A run that is over leaves what there is, with parts that are not proven. Throws InvalidOption when there
+// cannot be so many parts.
+SegmentResult segment_mesh(const Mesh& mesh, const SegmentOptions& options = {}, const Run& run = {});
 
 // The order to build in: the largest part first, then always the one with the longest seam to what stands; parts that
 // touch nothing that stands begin anew. The step of every part, from 1.
