@@ -16,7 +16,14 @@ struct Hinge {
   Vec3 from, to;                  // the axis in the flat state; z is its offset from the mid-plane
   double target = 0;              // fold angle at the goal
   double low = -kPi, high = kPi;  // limits of the fold angle: the one home of what the material allows
+  // Of a thick hinge half the thickness t of its panels, else 0. Up to 90 degrees it turns about from -> to; beyond,
+  // about the line in which the panels will touch: t/2 before from -> to, and t/2 above the mid-plane of the panel at
+  // rest for valleys, below it for mountains. So its free length is t cos(a/2), then t sin(a/2) (eq. 6.1, read as R11).
+  double roll = 0;
 };
+
+// The motion of one panel of a hinge, seen from the other, which carries it from flat to a fold angle.
+Pose turn(const Hinge& hinge, double fold_angle, bool right_moves);
 
 struct Linkage {
   std::vector<std::vector<Vec3>>
