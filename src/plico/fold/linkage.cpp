@@ -132,6 +132,22 @@ Linkage thickened(Linkage linkage, double thickness, const std::vector<double>& 
   return linkage;
 }
 
+Linkage thick_hinged(Linkage linkage, double thickness, double trim) {
+  for (std::vector<Vec3>& outline : linkage.panels) {
+    Vec3 centre = Vec3::Zero();
+    for (const Vec3& corner : outline) centre += corner / static_cast<double>(outline.size());
+    const double half = (outline[1] - outline[0]).norm() / 2;
+    require(thickness > 0 && thickness < half, "thickness", thickness,
+            fmt::format("above 0 and below half a panel's side, {:.6g}", half));
+    require(trim >= thickness / 2 && trim < half, "trim", trim,
+            fmt::format("in [thickness / 2, side / 2) = [{:.6g}, {:.6g})", thickness / 2, half));
+    for (Vec3& corner : outline) corner = centre + (1 - trim / half) * (corner - centre);
+  }
+  linkage.thickness = thickness;
+  for (Hinge& hinge : linkage.hinges) hinge.roll = thickness / 2;
+  return linkage;
+}
+
 std::vector<int> hinge_of_edge(const CreasePattern& sheet) {
   std::vector<int> hinge;
   int next = 0;

@@ -57,6 +57,10 @@ Linkage make_linkage(const CreasePattern& sheet, const std::vector<int>& mate = 
 // InvalidOption otherwise.
 Linkage thickened(Linkage linkage, double thickness, const std::vector<double>& offset = {});
 
+// The same linkage with thick hinges (Hinge::roll), its square panels trimmed by `trim` on every side. Throws
+// InvalidOption unless 0 < thickness < half the smallest side and thickness / 2 <= trim < half of it.
+Linkage thick_hinged(Linkage linkage, double thickness, double trim);
+
 // The hinge of each sheet edge, -1 for edges that are not hinges; the inverse order of make_linkage.
 std::vector<int> hinge_of_edge(const CreasePattern& sheet);
 

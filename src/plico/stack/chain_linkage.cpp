@@ -1,6 +1,6 @@
 #include "plico/stack/chain_linkage.h"
 
-#include <cmath>
+#include <utility>
 
 #include "plico/base/error.h"
 
@@ -19,24 +19,14 @@ std::vector<Vec3> square_at(const Vec3& centre, double half) {
 
 }  // namespace
 
-void check(const ChainShape& shape) {
-  require(shape.side > 0 && std::isfinite(shape.side), "side", shape.side, "above 0");
-  require(shape.thickness > 0 && shape.thickness < shape.side / 2, "thickness", shape.thickness,
-          fmt::format("above 0 and below half a voxel's side, {:.6g}", shape.side / 2));
-  require(shape.trim >= shape.thickness / 2 && shape.trim < shape.side / 2, "trim", shape.trim,
-          fmt::format("in [thickness / 2, side / 2) = [{:.6g}, {:.6g})", shape.thickness / 2, shape.side / 2));
-}
-
 Linkage chain_linkage(const Headings& headings, const std::vector<double>& angles, const ChainShape& shape) {
-  check(shape);
   if (headings.size() != angles.size())
     throw InvalidInput("stack/angles", fmt::format("{} angles for {} hinges", angles.size(), headings.size()));
   Linkage chain;
-  chain.thickness = shape.thickness;
   const double half = shape.side / 2;
   Vec3 centre = Vec3::Zero();
   for (int i = 0; i <= static_cast<int>(headings.size()); ++i) {
-    chain.panels.push_back(square_at(centre, half - shape.trim));
+    chain.panels.push_back(square_at(centre, half));
     chain.order.push_back(i);
     chain.parent_panel.push_back(i - 1);
     chain.parent_hinge.push_back(i - 1);
@@ -44,12 +34,10 @@ Linkage chain_linkage(const Headings& headings, const std::vector<double>& angle
     // The panel behind lies to the left of the axis.
     const Vec3 ahead = direction(headings[i]), left = direction(turned(headings[i], 1));
     const Vec3 middle = centre + half * ahead;
-    Hinge hinge{i, i + 1, middle - half * left, middle + half * left, angles[i]};
-    hinge.roll = shape.thickness / 2;
-    chain.hinges.push_back(hinge);
+    chain.hinges.push_back({i, i + 1, middle - half * left, middle + half * left, angles[i]});
     centre += shape.side * ahead;
   }
-  return chain;
+  return thick_hinged(std::move(chain), shape.thickness, shape.trim);
 }
 
 }  // namespace plico

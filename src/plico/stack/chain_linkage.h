@@ -13,10 +13,9 @@ struct ChainShape {
   double thickness = 0;  // of the panels, below side / 2
   double trim = 0;       // of every panel side, at least thickness / 2 (where the axes lie), below side / 2
 };
-void check(const ChainShape& shape);  // throws InvalidOption naming value and bound
 
 // Panel 0 is the root, with its centre at the origin; hinge i leads from panel i to panel i + 1, East is +x. `angles`
-// are the goal, one a hinge, radians.
+// are the goal, one a hinge, radians. Throws InvalidOption when thickness or trim is out of range.
 Linkage chain_linkage(const Headings& headings, const std::vector<double>& angles, const ChainShape& shape);
 
 }  // namespace plico
