@@ -77,6 +77,8 @@ Command voxelize_command() {
   return Command("voxelize", "The outside of a mesh as equal squares, and a walk that visits each of them once")
       .example("plico voxelize bird.obj --cells 25 -o squares.obj", "25 voxels along the longest side")
       .example("plico voxelize bird.obj --squares 2200", "as fine as 2200 squares ask for")
+      .example("plico voxelize bird.obj --size 0.1 --pair empty --json",
+               "voxels of that size; all figures for programs")
       .positional("mesh", "OBJ, OFF, STL or PLY file, closed or not; - for standard input", args->mesh)
       .option("--cells", "N", "voxels along the longest side, not necessarily whole", args->resolution.cells)
       .option("--size", "X", "side of a voxel, in the mesh's unit", args->resolution.size)
