@@ -165,6 +165,27 @@ CraftResult craft(const Mesh& mesh, const CraftOptions& options, const Run& run)
   return result;
 }
 
+HandWork hand_work(const CraftResult& result) {
+  HandWork work;
+  const Unfolding& net = result.net;
+  std::vector<double> lengths;
+  for (int e = 0; e < net.sheet.num_edges(); ++e) {
+    if (net.mate[e] > e) continue;  // a seam counts once
+    const Crease& edge = net.sheet.edges[e];
+    lengths.push_back(result.layout.report.scale * (net.sheet.vertices[edge.a] - net.sheet.vertices[edge.b]).norm());
+    work.small += lengths.back() < kSmallEdge;
+  }
+  work.edges = static_cast<int>(lengths.size());
+  const LabelReport& labels = result.layout.report.labels;
+  work.omitted = labels.omitted;
+  work.ids = labels.placed + labels.leaders + labels.omitted;
+  if (lengths.empty()) return work;
+  const auto middle = lengths.begin() + work.edges / 2;
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  if (*middle > 0) work.longest_mm = result.layout.report.final_size.maxCoeff() * 2 * kSmallEdge / *middle;
+  return work;
+}
+
 nlohmann::json craft_report(const Mesh& mesh, const CraftResult& result) {
   const LayoutReport& layout = result.layout.report;
   nlohmann::json report = {
@@ -179,6 +200,8 @@ nlohmann::json craft_report(const Mesh& mesh, const CraftResult& result) {
       {"scale_mm_per_unit", layout.scale},
       {"fill_ratio", layout.fill_ratio},
       {"tabs", layout.tabs.tabs.size()},
+      {"edges", hand_work(result).edges},
+      {"edges_under_5_mm", hand_work(result).small},
       {"seams_without_tab", layout.tabs.omitted + layout.tabs.short_seams},
       {"pages_verified", result.layout_verdict.sound()},
   };
