@@ -16,7 +16,7 @@ namespace plico::cli {
 namespace {
 
 struct CraftArgs {
-  std::string mesh, foldable = "linear", repair = "safe";
+  std::string mesh, foldable = "linear", repair = "safe", parts = "one";
   PrintArgs print;
 };
 
@@ -32,13 +32,15 @@ CraftOptions craft_options(const CraftArgs& args, Session& session) {
   options.law = args.foldable == "linear"    ? std::optional(FoldingLaw::Linear)
                 : args.foldable == "uniform" ? std::optional(FoldingLaw::Uniform)
                                              : std::nullopt;
+  if (args.parts != "one") options.parts = SegmentOptions{.prove = {}};
+  if (args.parts != "one") set_wish(*options.parts, args.parts);
   options.layout = layout_options(args.print);
   options.draw = draw_options(args.print, options.name);
   return options;
 }
 
 std::string motion_text(const CraftResult& result) {
-  if (!result.motion) return "none is needed";
+  if (!result.motion) return "none: " + result.why_no_motion;
   const PathProof& proof = result.motion->proof;
   if (result.proven()) return fmt::format("{}, proven free of collision at every moment", result.motion_kind);
   if (proof.verdict == PathVerdict::Collides)
@@ -47,11 +49,22 @@ std::string motion_text(const CraftResult& result) {
   return fmt::format("{}, not proven", result.motion_kind);
 }
 
+void print_pieces(const Session& session, const SegmentResult& kit) {
+  for (int i = 0; i < kit.parts.num_parts(); ++i) {
+    const ProvenPart& piece = kit.part[i];
+    const std::string motion =
+        piece.motion ? fmt::format("{} motion {}", name(piece.motion->method), piece.proven() ? "proven" : "not proven")
+                     : std::string(piece.net.sheet.num_faces() == 1 ? "nothing turns" : "no motion");
+    session.print(fmt::format("piece {:<4} {} panels, {}\n", kit.parts.names[i], piece.net.sheet.num_faces(), motion));
+  }
+}
+
 void print_result(const Session& session, const std::string& folder, const CraftResult& result) {
   session.print(fmt::format("net        {} panels, {} {}, {}\n", result.verdict.panels, result.verdict.parts,
                             result.verdict.parts == 1 ? "part" : "parts",
                             result.verdict.valid() ? "verified free of overlap" : "NOT verified"));
   session.print(fmt::format("motion     {}\n", motion_text(result)));
+  if (result.kit) print_pieces(session, *result.kit);
   session.print(layout_text(result.layout.report));
   session.print(fmt::format("files      {}: ", folder));
   for (const CraftFile& file : result.files) session.print(fmt::format("{} ", file.name));
@@ -59,6 +72,7 @@ void print_result(const Session& session, const std::string& folder, const Craft
 }
 
 int craft_file(const CraftArgs& args, Session& session) {
+  craft_options(args, session);  // wrong ones are told before the folder is made
   const std::string folder = session.output_folder(stem(args.mesh));
   const Mesh mesh = read_mesh(args.mesh, args.repair, session);
   const CraftResult result = craft(mesh, craft_options(args, session), session.run());
@@ -78,10 +92,15 @@ Command craft_command() {
   Command command("craft", "From a mesh to printable pages, a net that folds and a page that shows it, in one folder");
   command.example("plico craft bird.obj -o bird", "pages, cut files, the folding net and index.html in the folder bird")
       .example("plico craft bird.obj --height 20cm --page A3 -o bird", "20 cm tall, on A3")
+      .example("plico craft bird.obj --parts auto -o bird",
+               "a kit: head, wings, legs, each with its own net and motion")
       .example("plico craft bird.obj --foldable none --split -o bird", "any net, cut where it does not fit a page")
       .positional("mesh", "OBJ, OFF, STL or PLY file; '-' is standard input", args->mesh)
       .choice("--foldable", "look for a net whose linear or uniform motion is proven free of collision", args->foldable,
-              {"linear", "uniform", "none"});
+              {"linear", "uniform", "none"})
+      .option("--parts", "WISH",
+              "one net; or parts, as plico segment makes them: auto, cut at necks; fewest that fold; or a number",
+              args->parts);
   add_repair_option(command, args->repair);
   add_print_options(command, args->print);
   command.action([args](Session& session) { return craft_file(*args, session); });

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "plico/base/error.h"
 #include "plico/motion/penetration.h"
@@ -123,10 +124,20 @@ void BranchSampler::reset(const std::vector<char>& is_joined) {
 
 void BranchSampler::add_sample(double time) {
   samples_.push_back({time, {}, {}, {}});
-  sample_order_.push_back(num_samples() - 1);
+  sample_order_.insert(sample_order_.begin(), num_samples() - 1);
   if (is_joined_.empty()) return;
   place_all(samples_.back());
   find_conflicts(num_samples() - 1);
+}
+
+void BranchSampler::keep_samples(int most) {
+  PLICO_ASSERT(conflicts_.empty());
+  if (num_samples() <= most) return;
+  std::vector<Sample> kept;
+  for (int i = 0; i < most; ++i) kept.push_back(std::move(samples_[sample_order_[i]]));
+  samples_ = std::move(kept);
+  sample_order_.resize(most);
+  std::iota(sample_order_.begin(), sample_order_.end(), 0);
 }
 
 bool BranchSampler::penetrating(const Sample& sample, int plate, const Vec3* corners, const Vec3& normal,

@@ -32,6 +32,8 @@ class BranchSampler {
   void reset(const std::vector<char>& is_joined);
   // One more moment, in (0, 1], at which collisions count. O(panels log panels), as reset() for one sample.
   void add_sample(double time);
+  // Forgets all but the `most` samples that refuted a hanging lately. There must be no conflict.
+  void keep_samples(int most);
   int num_samples() const { return static_cast<int>(samples_.size()); }
 
   // Pose of the panel over `side`, seen from the panel that has it.

@@ -12,20 +12,16 @@
 namespace plico {
 namespace {
 
-constexpr double kHotter = 6;          // every other lane: some meshes want large steps, most do not
+constexpr int kFarthestWalk = 6;       // faces from a conflict to a branch cut close to it
+constexpr int kBranchesTried = 3;      // on the path between two panels; the smallest is cut off
 constexpr long kStepsPerRound = 4000;  // between two looks of the lanes at each other
 
 // One annealing search from one start.
 class Lane {
  public:
   Lane(const FlatFaces& faces, const FoldForest& start, std::unique_ptr<MotionCost> cost,
-       const FoldableOptions& options, double hottest, Rng rng)
-      : mesh_(faces.mesh()),
-        tree_(faces, start),
-        motion_(std::move(cost)),
-        options_(options),
-        hottest_(hottest),
-        rng_(rng) {
+       const FoldableOptions& options, Rng rng)
+      : mesh_(faces.mesh()), tree_(faces, start), motion_(std::move(cost)), options_(options), rng_(rng) {
     motion_->reset(start);
     keep_best();
   }
@@ -89,12 +85,13 @@ class Lane {
   double temperature() const {
     const double period = static_cast<double>(options_.steps_per_cooling) * mesh_.num_faces();
     const double cooled = std::fmod(static_cast<double>(steps_), period) / period;
-    return hottest_ * (1 - cooled) * (1 - cooled);
+    return options_.temperature * (1 - cooled) * (1 - cooled);
   }
 
   void step() {
     const auto [a, b] = pick_conflict();
-    const int panel = pick_branch(a, b);
+    const int panel = rng_.uniform() < options_.nearby ? walk_from(rng_.below(2) ? a : b) : pick_branch(a, b);
+    if (tree_.parent_side(panel) < 0) return;
     const auto branch = tree_.gather(panel);
     const int side = pick_side(branch, tree_.parent_side(panel));
     if (side < 0) return;
@@ -134,9 +131,23 @@ class Lane {
       between_.push_back(lower);
       lower = tree_.parent(lower);
     }
-    const int n = static_cast<int>(between_.size());
-    const int first = between_[rng_.below(n)], second = between_[rng_.below(n)];
-    return tree_.subtree_size(first) <= tree_.subtree_size(second) ? first : second;
+    int smallest = between_[rng_.below(static_cast<int>(between_.size()))];
+    for (int i = 1; i < kBranchesTried; ++i) {
+      const int other = between_[rng_.below(static_cast<int>(between_.size()))];
+      if (tree_.subtree_size(other) < tree_.subtree_size(smallest)) smallest = other;
+    }
+    return smallest;
+  }
+
+  // A panel a few sides of the mesh away.
+  int walk_from(int panel) {
+    for (int left = 1 + rng_.below(kFarthestWalk); left > 0; --left) {
+      sides_.clear();
+      for (HalfedgeId h : mesh_.halfedges(FaceId(panel)))
+        if (mesh_.twin(h).valid()) sides_.push_back(h);
+      panel = mesh_.face(mesh_.twin(HalfedgeId(sides_[rng_.below(static_cast<int>(sides_.size()))])));
+    }
+    return panel;
   }
 
   int pick_side(std::span<const int> branch, int hangs_by) {
@@ -154,7 +165,6 @@ class Lane {
   DualTree tree_;
   std::unique_ptr<MotionCost> motion_;
   const FoldableOptions& options_;
-  double hottest_;
   Rng rng_;
   std::vector<int> between_, sides_;
   FoldForest best_;
@@ -176,6 +186,8 @@ void check(const FoldableOptions& options) {
   in_range("lanes", options.lanes, 1);
   in_range("overlap_weight", options.overlap_weight, 1);
   in_range("temperature", options.temperature, 1e-9);
+  if (!(options.nearby >= 0 && options.nearby <= 1))
+    throw InvalidOption(fmt::format("nearby = {} must be in [0, 1]", options.nearby));
   in_range("steps_per_cooling", options.steps_per_cooling, 1);
   in_range("max_steps", options.max_steps, 0L);
 }
@@ -187,10 +199,8 @@ FoldableResult find_foldable_net(const Mesh& mesh, const std::function<FoldFores
   const FlatFaces faces(mesh);
   const Rng rng(options.seed);
   std::vector<std::unique_ptr<Lane>> lanes(options.lanes);
-  parallel_for(run, options.lanes, [&](int i) {
-    lanes[i] = std::make_unique<Lane>(faces, start(i), new_cost(), options, options.temperature * (i % 2 ? kHotter : 1),
-                                      rng.stream(i));
-  });
+  parallel_for(run, options.lanes,
+               [&](int i) { lanes[i] = std::make_unique<Lane>(faces, start(i), new_cost(), options, rng.stream(i)); });
   const auto better = [](const auto& a, const auto& b) {
     return std::pair(!a->found(), a->best_rank()) < std::pair(!b->found(), b->best_rank());
   };

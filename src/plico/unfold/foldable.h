@@ -36,9 +36,10 @@ class MotionCost {
 
 struct FoldableOptions {
   std::uint64_t seed = 1;       // same mesh, same options: same result for every thread count, if allowed to finish
-  int lanes = 2;                // searches side by side; every other one runs six times as hot; at least 1
-  int overlap_weight = 4;       // of an overlap of flat panels, against one colliding pair at one sample; at least 1
-  double temperature = 1.5;     // at the start of a cooling: worse by this much is accepted with probability 1/e; > 0
+  int lanes = 2;                // searches side by side, from their own starts; at least 1
+  int overlap_weight = 1;       // of an overlap of flat panels, against one colliding pair at one sample; at least 1
+  double temperature = 6;       // at the start of a cooling: worse by this much is accepted with probability 1/e; > 0
+  double nearby = 0.6;          // of the branches are cut close to a conflict, not between the two in conflict; [0, 1]
   int steps_per_cooling = 60;   // times the number of faces; then it is warmed up again; at least 1
   long max_steps = 50'000'000;  // of each lane
 };
@@ -53,9 +54,9 @@ struct FoldableResult {
 };
 
 // The mesh must be connected; `start(lane)` gives the spanning trees to set out from (nets, or nearly). A step picks a
-// pair in conflict, cuts a fold edge on the tree path between them and hangs the branch elsewhere; a worse tree is
-// accepted as in simulated annealing, with the bound drawn first, so that a bad hanging is dropped at its first few
-// collisions.
+// pair in conflict, cuts a fold edge on the tree path between them, or close to one of them where something may stand
+// in the way of both, and hangs the branch elsewhere; a worse tree is accepted as in simulated annealing, with the
+// bound drawn first, so that a bad hanging is dropped at its first few collisions.
 FoldableResult find_foldable_net(const Mesh& mesh, const std::function<FoldForest(int lane)>& start,
                                  const std::function<std::unique_ptr<MotionCost>()>& new_cost,
                                  const FoldableOptions& options = {}, const Run& run = {});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "plico/base/error.h"
 #include "plico/base/rng.h"
@@ -16,7 +17,10 @@
 namespace plico {
 namespace {
 
-constexpr long kStepsBeforeAllTrees = 100'000;  // well below a second
+constexpr double kGoldenRatio = 0.6180339887498949;  // of the smaller part: its multiples spread evenly
+constexpr long kStepsBeforeAllTrees = 100'000;       // well below a second
+
+long steps_for(const Mesh& mesh) { return 20'000 + std::min(120L * mesh.num_faces(), 600'000L); }
 
 PanelKit kit_of(const Mesh& mesh) {
   PanelKit kit;
@@ -76,13 +80,15 @@ class SampledCost : public MotionCost {
     const Linkage linkage = linkage_of(lay_flat(mesh_, tree));
     const FoldingPath path = path_by(options_.law, linkage);
     CollisionChecker checker(linkage, {.clearance = clearance_});
+    sampler_.keep_samples(std::max(options_.samples, scaled(24, 64)));
+    // Other moments at every look: the same ones would let through what the last net already had between them.
+    const double shift = std::fmod(0.25 + kGoldenRatio * looks_++, 1);
     const int checks = 8 * options_.samples;
-    int seen = 0;
-    for (int i = 0; i < checks; ++i) {
-      const double time = (i + 0.25) / checks;
+    for (int i = 0, seen = 0; i < checks && seen < scaled(4, 12) && !run.over(); ++i) {
+      const double time = (i + shift) / checks;
       if (!checker.collides(path.at(time))) continue;
       sampler_.add_sample(time);
-      if (++seen == 4) break;
+      ++seen;
     }
     if (cost() > 0) return Closer::Seen;
     const PathProof proof = prove_path(linkage, path, {.clearance = clearance_}, run);
@@ -93,10 +99,17 @@ class SampledCost : public MotionCost {
   }
 
  private:
+  // Larger meshes need more moments: from `few` for 2,000 faces and less to `many` for 5,000 and more.
+  int scaled(int few, int many) const {
+    const double share = std::clamp((mesh_.num_faces() - 2000) / 3000.0, 0.0, 1.0);
+    return few + static_cast<int>(share * (many - few));
+  }
+
   const Mesh& mesh_;
   const FoldableNetOptions& options_;
   double clearance_;
   BranchSampler sampler_;
+  long looks_ = 0;
 };
 
 // Replaces `found` by a net that folds if there is one. False when there is certainly none.
@@ -125,6 +138,15 @@ bool look_at_all_trees(const Mesh& mesh, const PanelKit& kit, FoldingLaw law, do
   return any_clear || !trees.complete;
 }
 
+// The best motion of one piece, proven or not; none for several.
+std::optional<Motion> planned_motion(const Mesh& mesh, const FoldForest& tree, const FoldableNetOptions& options,
+                                     const Run& run) {
+  const Linkage linkage = linkage_of(lay_flat(mesh, tree));
+  if (linkage.num_hinges() + 1 < static_cast<int>(linkage.panels.size())) return {};
+  const MotionOptions planning{.seed = options.seed, .clearance = options.clearance};
+  return plan_motion(linkage, planning, run).motions.front();
+}
+
 // The planner gets the rest of the time.
 Run leaving_a_quarter(const Run& run) {
   const std::chrono::duration<double> left = *run.deadline - Run::Clock::now();
@@ -132,6 +154,19 @@ Run leaving_a_quarter(const Run& run) {
 }
 
 }  // namespace
+
+std::vector<std::pair<int, int>> crossing_faces(const Mesh& mesh, double clearance) {
+  const FoldForest any = lightest_forest(mesh, std::vector<double>(mesh.num_edges(), 1));
+  const Linkage linkage = linkage_of(lay_flat(mesh, any));
+  std::vector<std::pair<int, int>> pairs;
+  for (const PanelPair& pair : CollisionChecker(linkage, {.clearance = clearance}).collisions(goal(linkage))) {
+    bool neighbours = false;
+    for (HalfedgeId h : mesh.halfedges(FaceId(pair.a)))
+      neighbours = neighbours || (mesh.twin(h).valid() && mesh.face(mesh.twin(h)) == FaceId(pair.b));
+    if (!neighbours) pairs.emplace_back(pair.a, pair.b);
+  }
+  return pairs;
+}
 
 Linkage linkage_of(const Unfolding& net) { return make_linkage(net.sheet, net.mate); }
 
@@ -145,6 +180,15 @@ FoldableNet find_foldable_net(const Mesh& mesh, const FoldableNetOptions& option
                        fmt::format("the mesh has {} components, a foldable net needs one", components(mesh).count), {},
                        "plico unfold --foldable none");
   const PanelKit kit = kit_of(mesh);
+  const double clearance = options.clearance > 0 ? options.clearance : default_clearance_of(kit);
+  FoldableNet result;
+  result.crossing = crossing_faces(mesh, clearance);
+  if (!result.crossing.empty()) {
+    result.tree = find_net(mesh, {.seed = options.seed}, run).forest;
+    result.proven_impossible = true;
+    result.path = path_by(options.law, linkage_of(lay_flat(mesh, result.tree)));
+    return result;
+  }
   const Rng rng(options.seed);
   // A net to start from, or at least a spanning tree.
   const auto start = [&](int lane) {
@@ -153,40 +197,49 @@ FoldableNet find_foldable_net(const Mesh& mesh, const FoldableNetOptions& option
     if (net.parts == 1) return net.forest;
     return lightest_forest(mesh, dual_weights(mesh, Heuristic::MinimumPerimeter, random_direction(own), own));
   };
-  const double clearance = options.clearance > 0 ? options.clearance : default_clearance_of(kit);
   const auto new_cost = [&] { return std::make_unique<SampledCost>(mesh, kit, options, clearance); };
   const auto search = [&](long steps) {
     return find_foldable_net(mesh, start, new_cost, {.seed = options.seed, .max_steps = steps}, run);
   };
   const bool is_small = mesh.num_edges() <= kMostJoints;
-  FoldableResult found = search(is_small ? std::min(options.max_steps, kStepsBeforeAllTrees) : options.max_steps);
-  bool impossible = false;
+  const long most = options.max_steps > 0 ? options.max_steps : steps_for(mesh);
+  FoldableResult found = search(is_small ? std::min(most, kStepsBeforeAllTrees) : most);
   if (is_small && found.ending == Ending::Exhausted) {
-    impossible = !look_at_all_trees(mesh, kit, options.law, clearance, run, found);
-    if (!impossible && found.ending == Ending::Exhausted && options.max_steps > kStepsBeforeAllTrees)
-      found = search(options.max_steps);
+    result.proven_impossible = !look_at_all_trees(mesh, kit, options.law, clearance, run, found);
+    if (!result.proven_impossible && found.ending == Ending::Exhausted && most > kStepsBeforeAllTrees)
+      found = search(most);
   }
-  FoldableNet result{found.ending, found.tree, impossible, found.collisions, found.steps, {}, {}};
-  if (found.overlaps > 0) result.tree = find_net(mesh, {.seed = options.seed}, run).forest;
+  result.ending = found.ending;
+  result.tree = found.overlaps > 0 ? find_net(mesh, {.seed = options.seed}, run).forest : found.tree;
+  result.collisions = found.collisions;
+  result.steps = found.steps;
   const Linkage linkage = linkage_of(lay_flat(mesh, result.tree));
   result.path = path_by(options.law, linkage);
   if (found.ending == Ending::Found) result.proof = prove_path(linkage, result.path, {.clearance = clearance});
   return result;
 }
 
-NetAndMotion fold_or_plan(const Mesh& mesh, const FoldableNetOptions& options, double planning_seconds,
-                          const Run& run) {
+NetAndMotion fold_or_plan(const Mesh& mesh, const FoldableNetOptions& options, const Run& run) {
   NetAndMotion result{find_foldable_net(mesh, options, run.deadline ? leaving_a_quarter(run) : run), {}};
-  const Linkage linkage = linkage_of(lay_flat(mesh, result.net.tree));
-  if (linkage.num_hinges() == 0) return result;
+  if (mesh.num_faces() == 1 || !result.net.crossing.empty()) return result;
   if (result.net.ending == Ending::Found) {
     const MotionMethod method = options.law == FoldingLaw::Linear ? MotionMethod::Linear : MotionMethod::Uniform;
     result.motion = Motion{method, result.net.path, result.net.proof};
-  } else {
-    run.report("planning a motion", 0);
-    const MotionOptions planning{.seed = options.seed, .clearance = options.clearance};
-    result.motion = plan_motion(linkage, planning, limited(run, planning_seconds)).motions.front();
+    return result;
   }
+  run.report("planning a motion", 0);
+  // Nets that nearly fold by the law are seldom those that a planner can fold.
+  const SearchResult plain = find_net(mesh, {.seed = options.seed}, run);
+  if (plain.parts == 1 && !(plain.forest == result.net.tree)) {
+    std::optional<Motion> motion = planned_motion(mesh, plain.forest, options, run);
+    if (motion && motion->proof.verdict == PathVerdict::Free) {
+      result.net.tree = plain.forest;
+      result.net.path = path_by(options.law, linkage_of(lay_flat(mesh, plain.forest)));
+      result.motion = std::move(motion);
+      return result;
+    }
+  }
+  result.motion = planned_motion(mesh, result.net.tree, options, run);
   return result;
 }
 
