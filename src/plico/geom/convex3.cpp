@@ -150,8 +150,9 @@ ConvexPolyhedron clip(const ConvexPolyhedron& body, const Plane& plane, int sour
 
 ConvexPolyhedron intersection(ConvexPolyhedron a, const ConvexPolyhedron& b, int source) {
   for (const ConvexPolyhedron::Facet& facet : b.facets) {
+    const auto is_above = [&](const Vec3& p) { return facet.plane.height(p) > 0; };
+    if (std::any_of(a.points.begin(), a.points.end(), is_above)) a = clip(a, facet.plane, source);
     if (a.empty()) break;
-    a = clip(a, facet.plane, source);
   }
   return a;
 }
