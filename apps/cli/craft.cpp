@@ -18,7 +18,7 @@ namespace plico::cli {
 namespace {
 
 struct CraftArgs {
-  std::string mesh, foldable = "linear", repair = "safe", parts = "one";
+  std::string mesh, foldable = "linear", repair = "safe", parts = "one", coplanar = "join";
   int faces = 0;  // 0: as many as there are
   PrintArgs print;
 };
@@ -76,7 +76,7 @@ void print_result(const Session& session, const std::string& folder, const Craft
 
 Mesh mesh_to_craft(const CraftArgs& args, Session& session) {
   Mesh mesh = read_mesh(args.mesh, args.repair, session);
-  if (args.faces == 0) return mesh;
+  if (args.faces == 0) return args.coplanar == "join" ? with_flat_regions_whole(std::move(mesh), session) : mesh;
   SimplifiedMesh simple = simplify_mesh(mesh, kept_sharp(args.faces));
   session.report()["simplified"] = {{"faces_before", simple.faces_before}, {"distance", simple.distance}};
   session.print(fmt::format("faces      {} of {}, {:.2f} % of the diagonal away at most\n", simple.mesh.num_faces(),
@@ -124,6 +124,8 @@ Command craft_command() {
       .positional("mesh", "OBJ, OFF, STL or PLY file; '-' is standard input", args->mesh)
       .option("--faces", "N", "simplify the mesh to so many triangles first, as plico simplify does; 0: as it is",
               args->faces)
+      .choice("--coplanar", "neighbouring faces in one plane are one panel, or kept as they are", args->coplanar,
+              {"join", "keep"})
       .choice("--foldable", "look for a net whose linear or uniform motion is proven free of collision", args->foldable,
               {"linear", "uniform", "none"})
       .option("--parts", "WISH",
