@@ -9,11 +9,14 @@ namespace plico::cli {
 Command craft_command();
 Command info_command();
 Command check_command();
+Command simplify_command();
 Command unfold_command();
+Command segment_command();
 Command sample_command();
 Command export_command();
 Command fold_command();
 Command verify_command();
+Command voxelize_command();
 Command origami_make_command();
 Command origami_info_command();
 Command print_command();

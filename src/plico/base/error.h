@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 namespace plico {
@@ -50,7 +51,11 @@ struct FileError : Error {
 // interval, both shown in the unit of the option.
 template <class T>
 void require(bool fits, std::string_view option, const T& value, std::string_view range) {
-  if (!fits) throw InvalidOption(fmt::format("{} = {} must be {}", option, value, range));
+  if (fits) return;
+  if constexpr (std::is_floating_point_v<T>)
+    throw InvalidOption(fmt::format("{} = {:.6g} must be {}", option, value, range));
+  else
+    throw InvalidOption(fmt::format("{} = {} must be {}", option, value, range));
 }
 
 // A bug of ours. Never caught inside the library.

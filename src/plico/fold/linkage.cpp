@@ -132,6 +132,22 @@ Linkage thickened(Linkage linkage, double thickness, const std::vector<double>& 
   return linkage;
 }
 
+Linkage thick_hinged(Linkage linkage, double thickness, double trim) {
+  for (std::vector<Vec3>& outline : linkage.panels) {
+    Vec3 centre = Vec3::Zero();
+    for (const Vec3& corner : outline) centre += corner / static_cast<double>(outline.size());
+    const double half = (outline[1] - outline[0]).norm() / 2;
+    require(thickness > 0 && thickness < half, "thickness", thickness,
+            fmt::format("above 0 and below half a panel's side, {:.6g}", half));
+    require(trim >= thickness / 2 && trim < half, "trim", trim,
+            fmt::format("in [thickness / 2, side / 2) = [{:.6g}, {:.6g})", thickness / 2, half));
+    for (Vec3& corner : outline) corner = centre + (1 - trim / half) * (corner - centre);
+  }
+  linkage.thickness = thickness;
+  for (Hinge& hinge : linkage.hinges) hinge.roll = thickness / 2;
+  return linkage;
+}
+
 std::vector<int> hinge_of_edge(const CreasePattern& sheet) {
   std::vector<int> hinge;
   int next = 0;
@@ -154,6 +170,18 @@ int hinge_beyond_limits(const Linkage& linkage, const Configuration& config, dou
   return -1;
 }
 
+Pose turn(const Hinge& hinge, double fold_angle, bool right_moves) {
+  const Vec3 axis = (hinge.to - hinge.from).normalized();
+  // Turning the right panel up (a valley) is a left-handed turn about from -> to.
+  const double angle = right_moves ? -fold_angle : fold_angle;
+  if (hinge.roll == 0 || std::abs(angle) <= kPi / 2) return rotation_about(hinge.from, axis, angle);
+  const double quarter = std::copysign(kPi / 2, angle);
+  const Vec3 left(-axis.y(), axis.x(), 0);
+  const Vec3 before = right_moves ? left : Vec3(-left);
+  const Vec3 contact = hinge.from + hinge.roll * (before + std::copysign(1.0, fold_angle) * Vec3::UnitZ());
+  return rotation_about(contact, axis, angle - quarter) * rotation_about(hinge.from, axis, quarter);
+}
+
 std::vector<Pose> folding_map(const Linkage& linkage, const Configuration& config) {
   std::vector<Pose> poses;
   folding_map(linkage, config, poses);
@@ -169,10 +197,7 @@ void folding_map(const Linkage& linkage, const Configuration& config, std::vecto
       poses[p].setIdentity();
       continue;
     }
-    const Hinge& hinge = linkage.hinges[h];
-    // Turning the right panel up (a valley) is a left-handed turn about from -> to.
-    const double angle = p == hinge.right ? -config[h] : config[h];
-    poses[p] = poses[linkage.parent_panel[p]] * rotation_about(hinge.from, (hinge.to - hinge.from).normalized(), angle);
+    poses[p] = poses[linkage.parent_panel[p]] * turn(linkage.hinges[h], config[h], p == linkage.hinges[h].right);
   }
 }
 

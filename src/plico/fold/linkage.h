@@ -16,7 +16,14 @@ struct Hinge {
   Vec3 from, to;                  // the axis in the flat state; z is its offset from the mid-plane
   double target = 0;              // fold angle at the goal
   double low = -kPi, high = kPi;  // limits of the fold angle: the one home of what the material allows
+  // Of a thick hinge half the thickness t of its panels, else 0. Up to 90 degrees it turns about from -> to; beyond,
+  // about the line in which the panels will touch: t/2 before from -> to, and t/2 above the mid-plane of the panel at
+  // rest for valleys, below it for mountains. So its free length is t cos(a/2), then t sin(a/2) (eq. 6.1, read as R11).
+  double roll = 0;
 };
+
+// The motion of one panel of a hinge, seen from the other, which carries it from flat to a fold angle.
+Pose turn(const Hinge& hinge, double fold_angle, bool right_moves);
 
 struct Linkage {
   std::vector<std::vector<Vec3>>
@@ -49,6 +56,10 @@ Linkage make_linkage(const CreasePattern& sheet, const std::vector<int>& mate = 
 // moved by offset[h], which must lie within the panels: thickness / 2 is the front, -thickness / 2 the back. Throws
 // InvalidOption otherwise.
 Linkage thickened(Linkage linkage, double thickness, const std::vector<double>& offset = {});
+
+// The same linkage with thick hinges (Hinge::roll), its square panels trimmed by `trim` on every side. Throws
+// InvalidOption unless 0 < thickness < half the smallest side and thickness / 2 <= trim < half of it.
+Linkage thick_hinged(Linkage linkage, double thickness, double trim);
 
 // The hinge of each sheet edge, -1 for edges that are not hinges; the inverse order of make_linkage.
 std::vector<int> hinge_of_edge(const CreasePattern& sheet);

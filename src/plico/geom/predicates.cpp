@@ -2,6 +2,8 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include "plico/geom/convex3.h"
+
 namespace plico {
 namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -31,6 +33,11 @@ int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   if (det > bound) return 1;
   if (det < -bound) return -1;
   return orient3d_exact(a, b, c, d);
+}
+
+int side_of_plane(const Plane& plane, const Vec3& point) {
+  const Vec3& n = plane.normal;
+  return static_cast<int>(Kernel::Plane_3(n.x(), n.y(), n.z(), -plane.offset).oriented_side(to_cgal(point)));
 }
 
 }  // namespace plico

@@ -10,6 +10,9 @@ namespace plico {
 
 constexpr std::size_t kMostKept = 4'000'000;  // sums, some 100 MB
 
+// Of a thick hinge: -1 below the panels, 0 in the mid-plane, 1 above.
+static int axis_in_use(double angle) { return angle > kPi / 2 ? 1 : angle < -kPi / 2 ? -1 : 0; }
+
 void check_path(const Linkage& linkage, const FoldingPath& path) {
   if (path.waypoints.size() < 2 || path.waypoints.front().time != 0 || path.waypoints.back().time != 1)
     throw InvalidInput("motion/times", "a motion needs waypoints from time 0 to time 1");
@@ -52,7 +55,8 @@ LinkageMotion::LinkageMotion(const Linkage& linkage, const FoldingPath& path)
     const Hinge& hinge = linkage.hinges[linkage.parent_hinge[p]];
     link.pivot = (hinge.from + hinge.to) / 2;
     link.axis = (hinge.to - hinge.from).normalized();
-    link.length = (link.pivot - links_[parent].pivot).norm();
+    link.axes = hinge.roll * std::sqrt(2.0);
+    link.length = (link.pivot - links_[parent].pivot).norm() + 2 * link.axes;
     chain[p] = chain[parent] + link.length;
     all_chains += ancestry_.depth(p);
     deepest = std::max(deepest, ancestry_.depth(p));
@@ -81,8 +85,7 @@ void LinkageMotion::place(double time, const std::vector<char>& wanted, std::vec
       poses[p].setIdentity();
       continue;
     }
-    const double angle = p == linkage_.hinges[h].right ? -config_[h] : config_[h];
-    poses[p] = poses[parent] * rotation_about(linkage_.hinges[h].from, links_[p].axis, angle);
+    poses[p] = poses[parent] * turn(linkage_.hinges[h], config_[h], p == linkage_.hinges[h].right);
   }
 }
 
@@ -107,6 +110,12 @@ void LinkageMotion::look_at(double start, double end, const std::vector<Pose>& a
       if (const int h = linkage_.parent_hinge[p]; h >= 0)
         links_[p].kink = std::max(links_[p].kink, std::abs(w->config[h] - inside_[h]));
   }
+  for (int p : linkage_.order)
+    if (Link& link = links_[p]; link.axes > 0) {
+      const int h = linkage_.parent_hinge[p];
+      const bool one_axis = link.kink == 0 && axis_in_use(start_config_[h]) == axis_in_use(end_config_[h]);
+      link.slip = one_axis ? 0 : (link.turn + 2 * link.kink) * link.axes;
+    }
 }
 
 // Many panels hang on a hinge: it is placed in the world once an interval, and only when somebody asks.
@@ -123,11 +132,11 @@ const LinkageMotion::Link& LinkageMotion::seen(int panel) const {
 // Adds the next hinge up the chain.
 void LinkageMotion::Chain::climb(const Link& link, double radius) {
   const double now = link.axis_now.cross(center - link.pivot_now).norm() + radius;
-  const double reach = std::min(now + travel, straight);
+  const double reach = std::min(now + travel, straight) + link.axes;
   const double inner = sums.empty() ? 0 : sums.back().turn;
   const Sums before = sums.empty() ? Sums{} : sums.back();
   sums.push_back({inner + link.turn, before.reach_turn + reach * link.turn,
-                  before.less + reach * (link.turn * (2 * inner + link.turn) / 8 - link.kink)});
+                  before.less + reach * (link.turn * (2 * inner + link.turn) / 8 - link.kink) - link.slip / 4});
   travel += reach * (link.turn + link.kink);
   straight += link.length;
 }

@@ -64,6 +64,8 @@ class LinkageMotion : public PanelMotion {
   struct Link {
     Vec3 axis_now, pivot_now;   // in the world at the start of the interval, valid when seen_at is the current look
     double turn = 0, kink = 0;  // of the hinge on the interval
+    double slip = 0;            // how far points move with the axis' change, when it is inside the interval
+    double axes = 0;            // distance of the axes of a thick hinge
     double length = 0;          // from its hinge's pivot to its parent's
     int parent = -1;
     long seen_at = -1;

@@ -13,6 +13,9 @@
 #include "plico/io/page/svg.h"
 #include "plico/io/pattern/fold.h"
 #include "plico/mesh/measures.h"
+#include "plico/segment/given.h"
+#include "plico/workflow/kit_motion.h"
+#include "plico/workflow/parts_file.h"
 
 namespace plico {
 namespace {
@@ -21,12 +24,32 @@ std::string_view kind_of(MotionMethod method) {
   return method == MotionMethod::Linear || method == MotionMethod::Uniform ? name(method) : "planned";
 }
 
-// Each piece folds by itself: straight or at one rate, or not at all.
-void move_parts(const CraftOptions& options, const Run& run, CraftResult& result) {
-  const Linkage linkage = linkage_of(result.net);
-  if (linkage.num_hinges() == 0) return;
-  const MotionOptions simple{.seed = options.unfold.search.seed, .may_search = false};
-  result.motion = std::move(plan_motion(linkage, simple, run).motions.front());
+ProvePartOptions wanted_of_parts(const CraftOptions& options) {
+  ProvePartOptions wanted{.seed = options.unfold.search.seed};
+  if (!options.law)
+    wanted.motion = PartMotion::None;
+  else
+    wanted.motion = *options.law == FoldingLaw::Uniform ? PartMotion::Uniform : PartMotion::Any;
+  return wanted;
+}
+
+// A mesh in several pieces, or cut into parts, becomes a kit: every piece has its own net and motion.
+void find_kit(const Mesh& mesh, const CraftOptions& options, const Run& run, CraftResult& result) {
+  run.report("looking for nets that fold", 0);
+  SegmentResult kit;
+  if (options.parts) {
+    SegmentOptions cut = *options.parts;
+    cut.prove = wanted_of_parts(options);
+    kit = segment_mesh(mesh, cut, run);
+  } else {
+    kit = prove_parts(mesh, by_components(mesh), wanted_of_parts(options), run);
+  }
+  result.ending = kit.ending;
+  if (options.law) result.motion = motion_of_pieces(mesh, kit, run);
+  if (!result.motion) result.why_no_motion = options.law ? "nothing turns" : "none was asked for";
+  result.net = kit.net;
+  result.verdict = kit.verdict;
+  result.kit = std::move(kit);
 }
 
 // The net that folds, or the one that comes closest, replaces the one found without regard to motion.
@@ -42,14 +65,33 @@ void find_net_that_folds(const Mesh& mesh, const CraftOptions& options, const Ru
   }
   Unfolding net = lay_flat(mesh, found.net.tree);
   NetVerdict verdict = verify_net(net, mesh);
-  if (verdict.parts > 1) return move_parts(options, run, result);
+  if (verdict.parts > 1) {  // cut short: the net at hand folds straight, or not at all
+    const MotionOptions straight{.seed = options.unfold.search.seed, .may_search = false};
+    result.motion = std::move(plan_motion(linkage_of(result.net), straight, run).motions.front());
+    return;
+  }
   result.net = std::move(net);
   result.verdict = std::move(verdict);
   result.motion = std::move(found.motion);
 }
 
+void find_net(const Mesh& mesh, const CraftOptions& options, const Run& run, CraftResult& result) {
+  UnfoldOutcome unfolded = unfold_mesh(mesh, options.unfold, run);
+  result.ending = unfolded.ending;
+  result.net = std::move(unfolded.unfolding);
+  result.verdict = std::move(unfolded.verdict);
+  if (!options.law)
+    result.why_no_motion = "none was asked for";
+  else if (mesh.num_faces() == 1)
+    result.why_no_motion = "one panel needs none";
+  else if (result.verdict.parts > 1)
+    result.why_no_motion = "there is no net in one piece";
+  else
+    find_net_that_folds(mesh, options, run, result);
+}
+
 std::string fold_text(const Mesh& mesh, const CraftOptions& options, const CraftResult& result) {
-  FoldFile file = fold_file(mesh, result.net);
+  FoldFile file = result.kit ? parts_file(mesh, *result.kit) : fold_file(mesh, result.net);
   file.report = options.made_by;
   if (result.motion) set_path(file, linkage_of(result.net), result.motion->path);
   return write_fold(file);
@@ -104,18 +146,10 @@ void add_pages(const CraftOptions& options, CraftResult& result) {
 
 CraftResult craft(const Mesh& mesh, const CraftOptions& options, const Run& run) {
   CraftResult result;
-  UnfoldOutcome unfolded = unfold_mesh(mesh, options.unfold, run);
-  result.ending = unfolded.ending;
-  result.net = std::move(unfolded.unfolding);
-  result.verdict = std::move(unfolded.verdict);
-  if (!options.law)
-    result.why_no_motion = "none was asked for";
-  else if (mesh.num_faces() == 1)
-    result.why_no_motion = "one panel needs none";
-  else if (result.verdict.parts > 1)
-    move_parts(options, run, result);
+  if (options.parts || (options.law && components(mesh).count > 1))
+    find_kit(mesh, options, run, result);
   else
-    find_net_that_folds(mesh, options, run, result);
+    find_net(mesh, options, run, result);
   if (result.motion && !result.proven() && run.over()) result.ending = run.ending();
   if (result.motion) result.motion_kind = kind_of(result.motion->method);
   run.report("laying out pages", 0);
@@ -129,6 +163,27 @@ CraftResult craft(const Mesh& mesh, const CraftOptions& options, const Run& run)
   result.files.push_back({"report.json", report.dump(2) + "\n"});
   result.files.push_back({"index.html", page_text(options, result, report)});
   return result;
+}
+
+HandWork hand_work(const CraftResult& result) {
+  HandWork work;
+  const Unfolding& net = result.net;
+  std::vector<double> lengths;
+  for (int e = 0; e < net.sheet.num_edges(); ++e) {
+    if (net.mate[e] > e) continue;  // a seam counts once
+    const Crease& edge = net.sheet.edges[e];
+    lengths.push_back(result.layout.report.scale * (net.sheet.vertices[edge.a] - net.sheet.vertices[edge.b]).norm());
+    work.small += lengths.back() < kSmallEdge;
+  }
+  work.edges = static_cast<int>(lengths.size());
+  const LabelReport& labels = result.layout.report.labels;
+  work.omitted = labels.omitted;
+  work.ids = labels.placed + labels.leaders + labels.omitted;
+  if (lengths.empty()) return work;
+  const auto middle = lengths.begin() + work.edges / 2;
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  if (*middle > 0) work.longest_mm = result.layout.report.final_size.maxCoeff() * 2 * kSmallEdge / *middle;
+  return work;
 }
 
 nlohmann::json craft_report(const Mesh& mesh, const CraftResult& result) {
@@ -145,9 +200,12 @@ nlohmann::json craft_report(const Mesh& mesh, const CraftResult& result) {
       {"scale_mm_per_unit", layout.scale},
       {"fill_ratio", layout.fill_ratio},
       {"tabs", layout.tabs.tabs.size()},
+      {"edges", hand_work(result).edges},
+      {"edges_under_5_mm", hand_work(result).small},
       {"seams_without_tab", layout.tabs.omitted + layout.tabs.short_seams},
       {"pages_verified", result.layout_verdict.sound()},
   };
+  if (result.kit) report["pieces"] = parts_json(mesh, *result.kit);
   if (result.motion)
     report["motion"] = {{"kind", result.motion_kind},
                         {"verdict", name(result.motion->proof.verdict)},

@@ -11,6 +11,7 @@
 #include "plico/verify/page_layout.h"
 #include "plico/workflow/foldable_net.h"
 #include "plico/workflow/plan_motion.h"
+#include "plico/workflow/segment_mesh.h"
 #include "plico/workflow/unfold_mesh.h"
 
 namespace plico {
@@ -21,6 +22,9 @@ struct CraftOptions {
   // A net that folds with all creases moving by this law is looked for, else one with any motion, as fold_or_plan()
   // does. None: any net, and no motion is looked for.
   std::optional<FoldingLaw> law = FoldingLaw::Linear;
+  // Cut into parts that fold instead of one net, as segment_mesh() does; its motion and seed follow from `law` and
+  // `unfold`.
+  std::optional<SegmentOptions> parts;
   UnfoldOptions unfold;
   LayoutOptions layout;
   DrawOptions draw;
@@ -36,9 +40,10 @@ struct CraftResult {
   Ending ending = Ending::Exhausted;
   Unfolding net;
   NetVerdict verdict;
-  std::optional<Motion> motion;  // the best that was found, proven or not
-  std::string motion_kind;       // "linear", "uniform", "planned"; empty without a motion
-  std::string why_no_motion;     // empty with one
+  std::optional<SegmentResult> kit;  // of a mesh in several pieces that are to fold: each with its own net and motion
+  std::optional<Motion> motion;      // the best that was found, proven or not
+  std::string motion_kind;           // "linear", "uniform", "planned"; empty without a motion
+  std::string why_no_motion;         // empty with one
   LayoutResult layout;
   LayoutVerdict layout_verdict;
   // NAME.pdf, NAME.svg (NAME-1.svg, ... for several pages), NAME.dxf, NAME.fold (with the motion), index.html,
@@ -50,6 +55,16 @@ struct CraftResult {
 };
 
 CraftResult craft(const Mesh& mesh, const CraftOptions& options = {}, const Run& run = {});
+
+// What hands have to do: edges of the printed net, those to fold and those to glue each once.
+constexpr double kSmallEdge = 5;  // millimetres
+struct HandWork {
+  int edges = 0, small = 0;  // in all, and shorter than kSmallEdge
+  int ids = 0, omitted = 0;  // of edges, asked for, and left out where they did not fit
+  double longest_mm = 0;     // of a model half of whose edges are twice as long
+  bool too_small() const { return 2 * small > edges || 3 * omitted > ids; }
+};
+HandWork hand_work(const CraftResult& result);
 
 // What there is to say about it, as shown on the page and written to report.json. No times: the same answer has the
 // same bytes.

@@ -138,21 +138,6 @@ bool look_at_all_trees(const Mesh& mesh, const PanelKit& kit, FoldingLaw law, do
   return any_clear || !trees.complete;
 }
 
-// Faces that penetrate each other in the mesh itself. Neighbours do not count: the hinge of some trees keeps them
-// apart.
-std::vector<std::pair<int, int>> crossing_faces(const Mesh& mesh, double clearance) {
-  const FoldForest any = lightest_forest(mesh, std::vector<double>(mesh.num_edges(), 1));
-  const Linkage linkage = linkage_of(lay_flat(mesh, any));
-  std::vector<std::pair<int, int>> pairs;
-  for (const PanelPair& pair : CollisionChecker(linkage, {.clearance = clearance}).collisions(goal(linkage))) {
-    bool neighbours = false;
-    for (HalfedgeId h : mesh.halfedges(FaceId(pair.a)))
-      neighbours = neighbours || (mesh.twin(h).valid() && mesh.face(mesh.twin(h)) == FaceId(pair.b));
-    if (!neighbours) pairs.emplace_back(pair.a, pair.b);
-  }
-  return pairs;
-}
-
 // The best motion of one piece, proven or not; none for several.
 std::optional<Motion> planned_motion(const Mesh& mesh, const FoldForest& tree, const FoldableNetOptions& options,
                                      const Run& run) {
@@ -169,6 +154,19 @@ Run leaving_a_quarter(const Run& run) {
 }
 
 }  // namespace
+
+std::vector<std::pair<int, int>> crossing_faces(const Mesh& mesh, double clearance) {
+  const FoldForest any = lightest_forest(mesh, std::vector<double>(mesh.num_edges(), 1));
+  const Linkage linkage = linkage_of(lay_flat(mesh, any));
+  std::vector<std::pair<int, int>> pairs;
+  for (const PanelPair& pair : CollisionChecker(linkage, {.clearance = clearance}).collisions(goal(linkage))) {
+    bool neighbours = false;
+    for (HalfedgeId h : mesh.halfedges(FaceId(pair.a)))
+      neighbours = neighbours || (mesh.twin(h).valid() && mesh.face(mesh.twin(h)) == FaceId(pair.b));
+    if (!neighbours) pairs.emplace_back(pair.a, pair.b);
+  }
+  return pairs;
+}
 
 Linkage linkage_of(const Unfolding& net) { return make_linkage(net.sheet, net.mate); }
 

@@ -52,6 +52,10 @@ struct NetAndMotion {
 };
 NetAndMotion fold_or_plan(const Mesh& mesh, const FoldableNetOptions& options = {}, const Run& run = {});
 
+// Faces that penetrate each other in the mesh itself, smaller first, ascending; never of two components. Neighbours do
+// not count: the hinge of some trees keeps them apart. `clearance` in units, 0: 1e-3 of the mean side length.
+std::vector<std::pair<int, int>> crossing_faces(const Mesh& mesh, double clearance = 0);
+
 // The linkage of a net, and its motion by a law.
 Linkage linkage_of(const Unfolding& net);
 FoldingPath path_by(FoldingLaw law, const Linkage& linkage);
