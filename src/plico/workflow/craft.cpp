@@ -155,7 +155,7 @@ CraftResult craft(const Mesh& mesh, const CraftOptions& options, const Run& run)
   run.report("laying out pages", 0);
   LayoutOptions layout = options.layout;
   layout.size.fill_page = true;
-  result.layout = lay_out_pages(result.net, folded_shape(mesh), layout);
+  result.layout = lay_out_pages(result.net, folded_shape(mesh), layout, run);
   result.layout_verdict = verify_layout(result.layout.layout);
   add_pages(options, result);
   result.files.push_back({options.name + ".fold", fold_text(mesh, options, result)});
