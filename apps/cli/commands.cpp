@@ -13,6 +13,7 @@ std::vector<Command> all_commands() {
       simplify_command(),
       unfold_command(),
       segment_command(),
+      shell_command(),
       export_command(),
       fold_command(),
       print_command(),

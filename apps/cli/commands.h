@@ -12,6 +12,7 @@ Command check_command();
 Command simplify_command();
 Command unfold_command();
 Command segment_command();
+Command shell_command();
 Command sample_command();
 Command export_command();
 Command fold_command();

@@ -13,6 +13,7 @@ namespace {
 constexpr double kProtectedWeight = 4;
 constexpr double kInward = 1e-12;   // of the diagonal: how far a shell is moved in from its planes
 constexpr double kTouching = 1e-9;  // of the diagonal: points closer than this are one
+constexpr double kContact = 1e-7;   // of the diagonal: faces closer than this touch, as faces that are almost flat do
 
 // Two hulls whose boxes meet, and what keeps them apart.
 struct HullPair {
@@ -335,7 +336,7 @@ void collect_shells(const ShellSearch& search, const std::vector<int>& part_of,
     if (first < 0 || second < 0) continue;
     result.contacts.push_back({first, second, pair.plane, pair.cut,
                                contact_polygon(result.shells[first].body, result.shells[second].body, pair.plane,
-                                               kTouching * search.diagonal())});
+                                               kContact * search.diagonal())});
   }
 }
 

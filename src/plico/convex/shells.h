@@ -45,7 +45,7 @@ struct ShellContact {
   int first = 0, second = 0;  // numbers of shells
   Plane plane;
   bool cut = false;           // the hulls overlapped
-  std::vector<Vec3> polygon;  // where the two shells touch (within 1e-9 of the diagonal), counter-clockwise seen from
+  std::vector<Vec3> polygon;  // where the two shells touch (within 1e-7 of the diagonal), counter-clockwise seen from
                               // above the plane; empty when they do not
 };
 

@@ -56,7 +56,7 @@ class ShellsJudge {
     Eigen::AlignedBox3d box;
     for (const auto& part : claim.parts)
       for (const Vec3& p : part) box.extend(p);
-    tolerance_ = options.tolerance * (box.isEmpty() ? 0 : box.diagonal().norm());
+    diagonal_ = box.isEmpty() ? 0 : box.diagonal().norm();
   }
 
   ShellsVerdict judge() {
@@ -155,7 +155,7 @@ class ShellsJudge {
     const HalfSpaces space = half_spaces(hull);
     double worst = hull.empty() ? INFINITY : -INFINITY;
     for (const Vec3& p : surface(s).points) worst = std::max(worst, space.outside(p));
-    if (worst > tolerance_)
+    if (worst > options_.tolerance * diagonal_)
       defect("shells/outside", fmt::format("shell {} sticks out of the hull of its part by {:.3g}", s, worst));
   }
 
@@ -214,7 +214,7 @@ class ShellsJudge {
       Vec3 twice = Vec3::Zero();
       for (std::size_t i = 2; i < contact.polygon.size(); ++i)
         twice += (contact.polygon[i - 1] - contact.polygon[0]).cross(contact.polygon[i] - contact.polygon[0]);
-      if (off > tolerance_ || !(twice.norm() > 0))
+      if (off > options_.contact_tolerance * diagonal_ || !(twice.norm() > 0))
         defect("shells/not-touching", fmt::format("the contact of shells {} and {} is off their surfaces by {:.3g}",
                                                   contact.first, contact.second, off));
     }
@@ -226,10 +226,13 @@ class ShellsJudge {
     std::vector<HalfSpaces> hulls;
     for (const auto& part : claim_.parts) hulls.push_back(half_spaces(convex_hull(part)));
     double all = 0, lost = 0, squares = 0;
+    double boxes = 0;
+    for (const HalfSpaces& hull : hulls) boxes += hull.planes.empty() ? 0 : hull.box.volume();
     for (std::size_t h = 0; h < hulls.size(); ++h) {
       if (!still_running()) return;
       if (hulls[h].planes.empty()) continue;
-      sample_hull(h, hulls, all, lost, squares);
+      const int samples = 1000 + static_cast<int>(options_.samples * (hulls[h].box.volume() / boxes));
+      sample_hull(h, hulls, samples, all, lost, squares);
     }
     verdict_.loss = all > 0 ? lost / all : 0;
     verdict_.loss_error = all > 0 ? 4 * std::sqrt(squares) / all + 4.0 / options_.samples : 1;
@@ -239,10 +242,9 @@ class ShellsJudge {
                          100 * claim_.loss, 100 * verdict_.loss, 100 * verdict_.loss_error));
   }
 
-  void sample_hull(std::size_t h, const std::vector<HalfSpaces>& hulls, double& all, double& lost,
+  void sample_hull(std::size_t h, const std::vector<HalfSpaces>& hulls, int samples, double& all, double& lost,
                    double& squares) const {
     Rng rng = Rng(options_.seed).stream(h);
-    const int samples = std::max(1000, options_.samples / static_cast<int>(hulls.size()));
     const Vec3 size = hulls[h].box.sizes();
     int inside = 0, unfilled = 0;
     for (int i = 0; i < samples; ++i) {
@@ -266,7 +268,7 @@ class ShellsJudge {
   const ShellsClaim& claim_;
   const ShellsCheckOptions& options_;
   const Run& run_;
-  double tolerance_ = 0;
+  double diagonal_ = 0;
   std::vector<HalfSpaces> spaces_;
   std::map<std::string, int> count_;
   ShellsVerdict verdict_;

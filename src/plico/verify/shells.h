@@ -30,8 +30,9 @@ struct ShellsClaim {
 };
 
 struct ShellsCheckOptions {
-  double tolerance = 1e-8;  // of the diagonal: how far a shell may stick out of its hull, a contact be off its shells
-  int samples = 100'000;    // points in the union of the hulls, to estimate the loss
+  double tolerance = 1e-8;          // of the diagonal: how far a shell may stick out of its hull
+  double contact_tolerance = 1e-6;  // of the diagonal: how far a contact may be off its shells
+  int samples = 100'000;            // points in the boxes of the hulls, to estimate the loss
   std::uint64_t seed = 1;
 };
 
@@ -50,7 +51,7 @@ struct ShellsVerdict {
 // Checks that
 //   - every shell is a closed surface of genus 0 in one piece with no reflex edge, exactly: so it is convex;
 //   - for every two shells the plane claimed between them parts them, or an axis where none is, exactly;
-//   - every shell lies in its hull, and every contact's corners lie on both of its shells, within the tolerance;
+//   - every shell lies in its hull, and every contact's corners lie on both of its shells, within the tolerances;
 //   - the claimed loss is within the error of an estimate from random points.
 // Never throws for wrong shells. O(pairs * points + samples * facets).
 ShellsVerdict verify_shells(const ShellsClaim& claim, const ShellsCheckOptions& options = {}, const Run& run = {});

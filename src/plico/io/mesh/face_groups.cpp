@@ -55,6 +55,12 @@ FaceGroups read_obj_groups(std::string_view bytes, const std::string& name) {
   return has_groups ? by_group.groups : by_object.groups;
 }
 
+bool has_obj_groups(std::string_view bytes) {
+  for (const std::string_view keyword : {"\no ", "\ng ", "\no\t", "\ng\t"})
+    if (bytes.starts_with(keyword.substr(1)) || bytes.find(keyword) != bytes.npos) return true;
+  return false;
+}
+
 FaceGroups read_face_labels(std::string_view bytes, const std::string& name) {
   TextScanner scan(bytes, name);
   GroupList labels;

@@ -15,6 +15,8 @@ struct FaceGroups {
 // it has neither.
 FaceGroups read_obj_groups(std::string_view bytes, const std::string& name);
 
+bool has_obj_groups(std::string_view bytes);  // is there any such line?
+
 // One label, a word or a number, a line and a face, as in .seg files of segmentation benchmarks.
 FaceGroups read_face_labels(std::string_view bytes, const std::string& name);
 

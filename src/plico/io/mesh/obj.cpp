@@ -72,17 +72,35 @@ class ObjReader {
   MeshSource source_;
 };
 
+void append_polygons(fmt::memory_buffer& out, const PolygonSoup& soup, int points_before) {
+  for (const Vec3& p : soup.points) fmt::format_to(fmt::appender(out), "v {} {} {}\n", p.x(), p.y(), p.z());
+  for (int f = 0; f < soup.num_faces(); ++f) {
+    out.push_back('f');
+    for (int v : soup.face(f)) fmt::format_to(fmt::appender(out), " {}", points_before + v + 1);
+    out.push_back('\n');
+  }
+}
+
 }  // namespace
 
 MeshSource read_obj(std::string_view bytes, const std::string& name) { return ObjReader(bytes, name).read(); }
 
 std::string write_obj(const PolygonSoup& soup) {
   fmt::memory_buffer out;
-  for (const Vec3& p : soup.points) fmt::format_to(fmt::appender(out), "v {} {} {}\n", p.x(), p.y(), p.z());
-  for (int f = 0; f < soup.num_faces(); ++f) {
-    out.push_back('f');
-    for (int v : soup.face(f)) fmt::format_to(fmt::appender(out), " {}", v + 1);
-    out.push_back('\n');
+  append_polygons(out, soup, 0);
+  return fmt::to_string(out);
+}
+
+std::string write_obj(const std::vector<ObjObject>& objects) {
+  fmt::memory_buffer out;
+  int before = 0;
+  for (const ObjObject& object : objects) {
+    std::string name = object.name;
+    for (char& c : name)
+      if (c == '\n' || c == '\r') c = ' ';
+    fmt::format_to(fmt::appender(out), "o {}\n", name);
+    append_polygons(out, object.soup, before);
+    before += object.soup.num_points();
   }
   return fmt::to_string(out);
 }

@@ -14,4 +14,11 @@ MeshSource read_obj(std::string_view bytes, const std::string& name = "input.obj
 // Shortest numbers that read back as the same doubles. O(corners).
 std::string write_obj(const PolygonSoup& soup);
 
+// Several objects in one file, each after a line "o NAME". Names are written as they are, without line breaks.
+struct ObjObject {
+  std::string name;
+  PolygonSoup soup;
+};
+std::string write_obj(const std::vector<ObjObject>& objects);
+
 }  // namespace plico

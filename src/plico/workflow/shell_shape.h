@@ -1,0 +1,23 @@
+// Disjoint convex shells of a shape, judged; and what is written of them.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "plico/convex/shells.h"
+#include "plico/io/mesh/obj.h"
+#include "plico/verify/shells.h"
+
+namespace plico {
+
+struct JudgedShells {
+  Shells shells;
+  ShellsVerdict verdict;  // judged without a time limit, so always to the end unless somebody stopped it
+};
+
+// disjoint_shells(), then verify_shells() on its triangles, planes, contacts and loss.
+JudgedShells shell_shape(const std::vector<ShapePart>& parts, const ShellOptions& options, const Run& run);
+
+// One object a shell, named after its part.
+std::vector<ObjObject> shell_objects(const std::vector<ShapePart>& parts, const Shells& shells);
+
+}  // namespace plico
