@@ -2,6 +2,7 @@
 //   bench_origami [--json FILE] [--quick]
 #include <sys/resource.h>
 
+#include "plico/motion/planner.h"
 #include "plico/origami/bases.h"
 #include "plico/origami/continuation.h"
 #include "plico/origami/crease_groups.h"
@@ -229,4 +230,7 @@ int bench(const Arguments& args) {
 }  // namespace
 }  // namespace plico::bench
 
-int main(int argc, char** argv) { return plico::bench::bench(plico::bench::arguments(argc, argv)); }
+int main(int argc, char** argv) {
+  plico::silence_planners();
+  return plico::bench::bench(plico::bench::arguments(argc, argv));
+}

@@ -2,6 +2,7 @@
 
 #include <ompl/base/ProblemDefinition.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <ompl/datastructures/NearestNeighborsLinear.h>
 #include <ompl/geometric/PathGeometric.h>
 #include <ompl/geometric/planners/prm/LazyPRM.h>
 #include <ompl/geometric/planners/prm/PRM.h>
@@ -133,18 +134,48 @@ std::shared_ptr<ob::RealVectorStateSpace> make_space(const Linkage& linkage) {
   return space;
 }
 
-ob::PlannerPtr make_planner(Planner planner, const ob::SpaceInformationPtr& space) {
+// OMPL's planners draw from generators whose seeds come from one sequence of the process, and so does their default
+// index of neighbours, which decides among states at equal distances. With a seed and an index of their own, every
+// answer is a function of its options.
+std::uint_fast32_t own_seed(std::uint64_t seed) { return static_cast<std::uint_fast32_t>(seed % 0xffffffffU) + 1; }
+
+template <class Base>
+class PlainRoadmap : public Base {
+ public:
+  explicit PlainRoadmap(const ob::SpaceInformationPtr& space) : Base(space) {
+    using State = typename Base::Vertex;
+    this->template setNearestNeighbors<ompl::NearestNeighborsLinear>();
+    this->nn_->setDistanceFunction([this](State a, State b) { return this->distanceFunction(a, b); });
+  }
+};
+
+class SeededPrm : public PlainRoadmap<og::PRM> {
+ public:
+  SeededPrm(const ob::SpaceInformationPtr& space, std::uint64_t seed) : PlainRoadmap(space) {
+    rng_.setLocalSeed(own_seed(seed));
+  }
+};
+
+class SeededRrtConnect : public og::RRTConnect {
+ public:
+  SeededRrtConnect(const ob::SpaceInformationPtr& space, std::uint64_t seed) : og::RRTConnect(space) {
+    rng_.setLocalSeed(own_seed(seed));
+    setNearestNeighbors<ompl::NearestNeighborsLinear>();
+  }
+};
+
+ob::PlannerPtr make_planner(Planner planner, const ob::SpaceInformationPtr& space, std::uint64_t seed) {
   switch (planner) {
     case Planner::LazyPrm: {
-      auto lazy = std::make_shared<og::LazyPRM>(space);
+      auto lazy = std::make_shared<PlainRoadmap<og::LazyPRM>>(space);
       lazy->setMaxNearestNeighbors(kNeighbours);
       lazy->setRange(2 * space->getMaximumExtent());  // discrete states lie far apart
       return lazy;
     }
     case Planner::Prm:
-      return std::make_shared<og::PRM>(space);
+      return std::make_shared<SeededPrm>(space, seed);
     case Planner::RrtConnect:
-      return std::make_shared<og::RRTConnect>(space);
+      return std::make_shared<SeededRrtConnect>(space, seed);
   }
   PLICO_ASSERT(false);
   return nullptr;
@@ -169,6 +200,8 @@ FoldingPath reversed(const og::PathGeometric& planned, const Linkage& linkage) {
 }
 
 }  // namespace
+
+void silence_planners() { ompl::msg::setLogLevel(ompl::msg::LOG_NONE); }
 
 std::string_view name(Planner planner) {
   switch (planner) {
@@ -201,8 +234,6 @@ PlannedPath plan_path(const Linkage& linkage, const PlannerOptions& options, con
   if (goal(linkage).isZero()) return {Ending::Found, linear_path(linkage), 0};
   if (checker.collides(flat(linkage)) || checker.collides(goal(linkage))) return result;
 
-  ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
-  ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(options.seed % 0xffffffffU) + 1);
   const auto space = make_space(linkage);
   const Rng rng = Rng(options.seed);
   std::uint64_t samplers = 0;
@@ -220,7 +251,7 @@ PlannedPath plan_path(const Linkage& linkage, const PlannerOptions& options, con
   for (int h = 0; h < linkage.num_hinges(); ++h) folded[h] = target[h], unfolded[h] = 0;
   const auto problem = std::make_shared<ob::ProblemDefinition>(information);
   problem->setStartAndGoalStates(folded, unfolded);
-  const ob::PlannerPtr planner = make_planner(options.planner, information);
+  const ob::PlannerPtr planner = make_planner(options.planner, information, options.seed);
   planner->setProblemDefinition(problem);
   planner->setup();
   const ob::PlannerStatus status = planner->solve(ob::PlannerTerminationCondition([&] { return checker.spent(); }));

@@ -32,10 +32,13 @@ struct PlannedPath {
 };
 
 // Searches backward, from the folded state, because that end is the narrow one; the path runs from flat to goal. Gives
-// up after max_states. Samples are folded creases picked at random, evenly, from the
-// tips of the tree inward, or from its root outward; samples that collide are dropped. Uses OMPL, whose random seed is
-// global to the process.
+// up after max_states. Samples are folded creases picked at random, evenly, from the tips of the tree inward, or from
+// its root outward; samples that collide are dropped. Uses OMPL, each planner with a seed of its own.
 PlannedPath plan_path(const Linkage& linkage, const PlannerOptions& options = {}, const Run& run = {});
+
+// OMPL tells what it does on standard output, through a handler of the whole process, which is the program's to set and
+// not the library's: programs that do not want that call this once, before any planning.
+void silence_planners();
 
 // Can one path be bent straight into the other? False when a blend of the two collides at one of the samples: evidence,
 // not proof, that they belong to different homotopy classes.

@@ -42,6 +42,18 @@ TEST_P(EveryPlanner, GivesUpAfterSoManyStates) {
 
 INSTANTIATE_TEST_SUITE_P(Planners, EveryPlanner, testing::Values(Planner::LazyPrm, Planner::Prm, Planner::RrtConnect));
 
+TEST(Planner, RepeatsWhateverWasPlannedBefore) {
+  const Linkage linkage = spiral();
+  for (Planner planner : {Planner::LazyPrm, Planner::RrtConnect}) {
+    const PlannedPath first = plan_path(linkage, {.seed = 7, .planner = planner});
+    plan_path(linkage, {.seed = 8, .planner = planner});
+    const PlannedPath again = plan_path(linkage, {.seed = 7, .planner = planner});
+    ASSERT_EQ(first.path.waypoints.size(), again.path.waypoints.size());
+    for (std::size_t i = 0; i < first.path.waypoints.size(); ++i)
+      EXPECT_EQ(first.path.waypoints[i].config, again.path.waypoints[i].config);
+  }
+}
+
 TEST(Planner, KnowsThatACollidingGoalHasNoPath) {
   const Linkage linkage = make_linkage(square_strip({1.7, 1.7, 1.7}));  // the last square crosses the first
   EXPECT_EQ(plan_path(linkage, {}, limited({}, 5)).ending, Ending::Exhausted);
