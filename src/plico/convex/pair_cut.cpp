@@ -171,20 +171,27 @@ struct JudgedPlane {
   }
 };
 
+// Pairs of which only one body counts, to see what either loses.
+CutPair only_first(const CutPair& pair) {
+  return {pair.first, pair.second, 1, 0, pair.first_volume, pair.second_volume};
+}
+CutPair only_second(const CutPair& pair) {
+  return {pair.first, pair.second, 0, 1, pair.first_volume, pair.second_volume};
+}
+
 JudgedPlane judged(const CutPair& pair, const CutFloor& floor, const Plane& plane) {
-  const CutPair only_first{pair.first, pair.second, 1, 0}, only_second{pair.first, pair.second, 0, 1};
-  const double first = loss_of(only_first, plane), second = loss_of(only_second, plane);
-  const double missing = std::max(0.0, floor.first - (volume(pair.first) - first)) +
-                         std::max(0.0, floor.second - (volume(pair.second) - second));
+  if (floor.first == 0 && floor.second == 0) return {plane, loss_of(pair, plane), 0};
+  const double first = loss_of(only_first(pair), plane), second = loss_of(only_second(pair), plane);
+  const double missing = std::max(0.0, floor.first - (pair.first_volume - first)) +
+                         std::max(0.0, floor.second - (pair.second_volume - second));
   return {plane, pair.first_weight * first + pair.second_weight * second, missing};
 }
 
 // -1 when the plane leaves the first body less than its floor, 1 when the second, else 0.
 int starved_side(const CutPair& pair, const CutFloor& floor, const Plane& plane) {
   if (floor.first == 0 && floor.second == 0) return 0;
-  const CutPair only_first{pair.first, pair.second, 1, 0}, only_second{pair.first, pair.second, 0, 1};
-  if (volume(pair.first) - loss_of(only_first, plane) < floor.first) return -1;
-  return volume(pair.second) - loss_of(only_second, plane) < floor.second ? 1 : 0;
+  if (pair.first_volume - loss_of(only_first(pair), plane) < floor.first) return -1;
+  return pair.second_volume - loss_of(only_second(pair), plane) < floor.second ? 1 : 0;
 }
 
 // The plane moved along its normal as little as leaves the starved body what its floor asks for.
