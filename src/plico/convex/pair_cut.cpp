@@ -69,7 +69,8 @@ Plane least_squares_plane(const CutPair& pair, const Overlap& overlap) {
 // The step of least model value g.s + s.H.s / 2 within a ball.
 Vec3 trust_region_step(const Vec3& gradient, const Mat3& hessian, double radius) {
   const Eigen::SelfAdjointEigenSolver<Mat3> eigen(hessian);
-  const Vec3 curvature = eigen.eigenvalues(), slope = eigen.eigenvectors().transpose() * gradient;
+  const Vec3& curvature = eigen.eigenvalues();
+  const Vec3 slope = eigen.eigenvectors().transpose() * gradient;
   const double scale = curvature.cwiseAbs().maxCoeff() + gradient.norm() / radius;
   const auto step = [&](double shift) {
     Vec3 s;
@@ -103,7 +104,7 @@ class CutDescent {
         size_(std::min(half_diagonal(pair.first), half_diagonal(pair.second))),
         scale_(1, 1 / size_, 1 / size_) {}
 
-  Plane from(Plane plane) const {
+  Plane from(const Plane& plane) const {
     PlaneFrame frame = frame_of(plane, center_);
     CutLoss loss = cut_loss(pair_, frame);
     double radius = size_ / 4;
