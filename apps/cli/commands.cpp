@@ -10,6 +10,7 @@ std::vector<Command> all_commands() {
       craft_command(),
       info_command(),
       check_command(),
+      simplify_command(),
       unfold_command(),
       segment_command(),
       shell_command(),

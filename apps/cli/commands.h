@@ -9,6 +9,7 @@ namespace plico::cli {
 Command craft_command();
 Command info_command();
 Command check_command();
+Command simplify_command();
 Command unfold_command();
 Command segment_command();
 Command shell_command();

@@ -7,7 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.h"
+#include "plico/mesh/measures.h"
 #include "plico/workflow/craft.h"
+#include "plico/workflow/simplify_mesh.h"
 #include "print_options.h"
 #include "read_mesh.h"
 #include "session.h"
@@ -16,7 +18,8 @@ namespace plico::cli {
 namespace {
 
 struct CraftArgs {
-  std::string mesh, foldable = "linear", repair = "safe", parts = "one";
+  std::string mesh, foldable = "linear", repair = "safe", parts = "one", coplanar = "join";
+  int faces = 0;  // 0: as many as there are
   PrintArgs print;
 };
 
@@ -71,14 +74,37 @@ void print_result(const Session& session, const std::string& folder, const Craft
   session.print("\n");
 }
 
+Mesh mesh_to_craft(const CraftArgs& args, Session& session) {
+  Mesh mesh = read_mesh(args.mesh, args.repair, session);
+  if (args.faces == 0) return args.coplanar == "join" ? with_flat_regions_whole(std::move(mesh), session) : mesh;
+  SimplifiedMesh simple = simplify_mesh(mesh, kept_sharp(args.faces));
+  session.report()["simplified"] = {{"faces_before", simple.faces_before}, {"distance", simple.distance}};
+  session.print(fmt::format("faces      {} of {}, {:.2f} % of the diagonal away at most\n", simple.mesh.num_faces(),
+                            simple.faces_before, 100 * simple.distance / diagonal(mesh)));
+  for (const std::string& note : simple.notes) session.warn(note);
+  return std::move(simple.mesh);
+}
+
+// What hands cannot do is said, with what would help.
+void warn_of_small_edges(const Session& session, const CraftResult& result) {
+  const HandWork work = hand_work(result);
+  if (!work.too_small()) return;
+  session.warn(fmt::format(
+      "hard to build by hand: {} of {} edges are shorter than {:g} mm, {} of {} edge ids do not fit; try {}--longest "
+      "{:.0f}mm --split, or --parts auto",
+      work.small, work.edges, kSmallEdge, work.omitted, work.ids,
+      result.net.sheet.num_faces() > 400 ? "--faces 300, " : "", work.longest_mm));
+}
+
 int craft_file(const CraftArgs& args, Session& session) {
   craft_options(args, session);  // wrong ones are told before the folder is made
   const std::string folder = session.output_folder(stem(args.mesh));
-  const Mesh mesh = read_mesh(args.mesh, args.repair, session);
+  const Mesh mesh = mesh_to_craft(args, session);
   const CraftResult result = craft(mesh, craft_options(args, session), session.run());
   for (const CraftFile& file : result.files) session.write(folder + "/" + file.name, file.bytes);
   session.report()["craft"] = craft_report(mesh, result);
   print_result(session, folder, result);
+  warn_of_small_edges(session, result);
   for (const Defect& defect : result.verdict.defects) session.warn(defect.message);
   for (const std::string& problem : result.layout_verdict.problems) session.warn(problem);
   if (!result.sound()) return kInternal;
@@ -96,6 +122,10 @@ Command craft_command() {
                "a kit: head, wings, legs, each with its own net and motion")
       .example("plico craft bird.obj --foldable none --split -o bird", "any net, cut where it does not fit a page")
       .positional("mesh", "OBJ, OFF, STL or PLY file; '-' is standard input", args->mesh)
+      .option("--faces", "N", "simplify the mesh to so many triangles first, as plico simplify does; 0: as it is",
+              args->faces)
+      .choice("--coplanar", "neighbouring faces in one plane are one panel, or kept as they are", args->coplanar,
+              {"join", "keep"})
       .choice("--foldable", "look for a net whose linear or uniform motion is proven free of collision", args->foldable,
               {"linear", "uniform", "none"})
       .option("--parts", "WISH",

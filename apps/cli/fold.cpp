@@ -24,6 +24,7 @@ struct FoldArgs {
   bool grouped = false;
   int alternatives = 1, waypoints = 50;
   double clearance = 0, max_fold_angle = std::numeric_limits<double>::quiet_NaN();
+  DrawingOptions drawing;
 };
 
 // What the command line allows; the file may allow less of single creases.
@@ -91,7 +92,7 @@ void write_motions(Session& session, FoldFile& file, const Linkage& linkage, con
 int fold_file(const FoldArgs& args, Session& session) {
   motion_method(args.planner);
   const std::vector<std::string> outputs = fold_outputs(session);
-  FoldFile file = read_sheet(args.net, session);
+  FoldFile file = read_sheet(args.net, session, args.drawing);
   narrow_limits(file.net.sheet, args.max_fold_angle);
   const Linkage linkage = make_linkage(file.net.sheet, file.net.mate);
   const MotionOutcome outcome = plan(file, linkage, args, session);
@@ -123,31 +124,35 @@ int fold_file(const FoldArgs& args, Session& session) {
 
 Command fold_command() {
   auto args = std::make_shared<FoldArgs>();
-  return Command("fold",
-                 "Find a motion that folds a net or a crease pattern, and prove that nothing collides on the way")
-      .example("plico fold bird.fold -o motion.fold", "the straight motion if it is free, else a planned one")
-      .example("plico fold bird.fold --planner uniform -o motion.fold", "as a uniformly heated sheet would fold")
-      .example("plico fold bird.fold --planner lazy-prm --alternatives 3 --time-limit 60s -o motion.fold",
-               "three motions that do not blend into each other")
-      .example("plico fold miura.fold --max-fold-angle 150deg -o motion.fold",
-               "a crease pattern with loops, as far as the material folds")
-      .example("plico fold small.fold --grouped -o few.fold && plico fold large.fold --reuse few.fold -o many.fold",
-               "plan a small piece of a tessellation, fold a large one")
-      .positional("net", "net or crease pattern: FOLD, .cp, .opx, .ori or SVG; - for standard input", args->net)
-      .choice("--planner", "auto tries linear, then uniform, then lazy-prm; with loops continuation, then md-frog",
-              args->planner, motion_methods())
-      .option("--alternatives", "N", "motions wanted; written beside the first as NAME-2.fold, ...", args->alternatives)
-      .flag("--grouped", "with loops: creases that are alike by symmetry turn together", args->grouped)
-      .option("--reuse", "FILE", "with loops: the motion of a smaller piece of the same tessellation, carried over",
-              args->reuse)
-      .option("--through", "FILE", "with loops: a state to pass, the goal of FILE; may be repeated", args->through)
-      .option("--clearance", "LENGTH", "how far panels are shrunk, in the file's unit; 0: 1/1000 of the mean side",
-              args->clearance)
-      .option("--waypoints", "N",
-              "with loops: waypoints aimed at; more are inserted where hinges would open between them", args->waypoints)
-      .angle("--max-fold-angle", "largest fold angle that the material allows; the file may limit each crease",
-             args->max_fold_angle)
-      .action([args](Session& session) { return fold_file(*args, session); });
+  Command command =
+      Command("fold", "Find a motion that folds a net or a crease pattern, and prove that nothing collides on the way")
+          .example("plico fold bird.fold -o motion.fold", "the straight motion if it is free, else a planned one")
+          .example("plico fold bird.fold --planner uniform -o motion.fold", "as a uniformly heated sheet would fold")
+          .example("plico fold bird.fold --planner lazy-prm --alternatives 3 --time-limit 60s -o motion.fold",
+                   "three motions that do not blend into each other")
+          .example("plico fold miura.fold --max-fold-angle 150deg -o motion.fold",
+                   "a crease pattern with loops, as far as the material folds")
+          .example("plico fold small.fold --grouped -o few.fold && plico fold large.fold --reuse few.fold -o many.fold",
+                   "plan a small piece of a tessellation, fold a large one")
+          .positional("net", "net or crease pattern: FOLD, .cp, .opx, .ori or SVG; - for standard input", args->net)
+          .choice("--planner", "auto tries linear, then uniform, then lazy-prm; with loops continuation, then md-frog",
+                  args->planner, motion_methods())
+          .option("--alternatives", "N", "motions wanted; written beside the first as NAME-2.fold, ...",
+                  args->alternatives)
+          .flag("--grouped", "with loops: creases that are alike by symmetry turn together", args->grouped)
+          .option("--reuse", "FILE", "with loops: the motion of a smaller piece of the same tessellation, carried over",
+                  args->reuse)
+          .option("--through", "FILE", "with loops: a state to pass, the goal of FILE; may be repeated", args->through)
+          .option("--clearance", "LENGTH", "how far panels are shrunk, in the file's unit; 0: 1/1000 of the mean side",
+                  args->clearance)
+          .option("--waypoints", "N",
+                  "with loops: waypoints aimed at; more are inserted where hinges would open between them",
+                  args->waypoints)
+          .angle("--max-fold-angle", "largest fold angle that the material allows; the file may limit each crease",
+                 args->max_fold_angle)
+          .action([args](Session& session) { return fold_file(*args, session); });
+  add_drawing_options(command, args->drawing);
+  return command;
 }
 
 }  // namespace plico::cli

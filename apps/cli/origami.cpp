@@ -111,6 +111,7 @@ struct InfoArgs {
   std::string file;
   bool strict = false;
   PatternCheckOptions check;
+  DrawingOptions drawing;
 };
 
 struct PatternFacts {
@@ -252,7 +253,7 @@ std::string verdict(const PatternReport& report) {
 }
 
 int tell_facts(const InfoArgs& args, Session& session) {
-  const FoldFile file = read_sheet(args.file, session);
+  const FoldFile file = read_sheet(args.file, session, args.drawing);
   const CreasePattern& sheet = file.net.sheet;
   const PatternReport checks = check_pattern(sheet, args.check);
   session.report()["vertices"] = sheet.num_vertices();
@@ -297,14 +298,17 @@ Command origami_make_command() {
 
 Command origami_info_command() {
   const auto args = std::make_shared<InfoArgs>();
-  return Command("origami info", "Tell the facts about a crease pattern, and all that is wrong with it")
-      .example("plico origami info miura.fold", "counts, size, whether the goal closes, every problem with its place")
-      .example("plico origami info miura.fold -v", "also the sector angles around every real vertex")
-      .example("plico origami info miura.fold --json", "the same for programs")
-      .positional("PATTERN", "FOLD, .cp, .opx, .ori or SVG file; - is standard input", args->file)
-      .flag("--strict", "warnings count as errors", args->strict)
-      .angle("--tolerance", "how far sectors and the goal's loops may be off", args->check.angle)
-      .action([args](Session& session) { return tell_facts(*args, session); });
+  Command command = Command("origami info", "Tell the facts about a crease pattern, and all that is wrong with it")
+                        .example("plico origami info miura.fold",
+                                 "counts, size, whether the goal closes, every problem with its place")
+                        .example("plico origami info miura.fold -v", "also the sector angles around every real vertex")
+                        .example("plico origami info miura.fold --json", "the same for programs")
+                        .positional("PATTERN", "FOLD, .cp, .opx, .ori or SVG file; - is standard input", args->file)
+                        .flag("--strict", "warnings count as errors", args->strict)
+                        .angle("--tolerance", "how far sectors and the goal's loops may be off", args->check.angle)
+                        .action([args](Session& session) { return tell_facts(*args, session); });
+  add_drawing_options(command, args->drawing);
+  return command;
 }
 
 }  // namespace plico::cli

@@ -1,9 +1,12 @@
 #include "read_mesh.h"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "plico/base/error.h"
 #include "plico/io/mesh/mesh_file.h"
+#include "plico/mesh/flat_regions.h"
 #include "plico/mesh/repair.h"
 
 namespace plico::cli {
@@ -29,6 +32,22 @@ Mesh read_mesh(const std::string& path, const std::string& repair, Session& sess
   const Problem& error = report.problems.front();
   throw InvalidInput(error.code, error.message + ", after what was repaired", error.where,
                      repair == "safe" ? "add --repair full, which may change the shape" : "plico check " + path);
+}
+
+Mesh with_flat_regions_whole(Mesh mesh, Session& session) {
+  FlatRegions regions = flat_regions(mesh);
+  const CheckOptions strict{.planarity = kFlatPolygon, .self_intersections = false};
+  if (regions.num_merged == 0 || !check_mesh(regions.soup, strict).usable()) return mesh;
+  session.say(fmt::format("flat regions: {} faces are taken as {}", mesh.num_faces(), regions.soup.num_faces()));
+  session.report()["flat_regions"] = {{"faces_before", mesh.num_faces()}, {"faces", regions.soup.num_faces()}};
+  return Mesh(std::move(regions.soup));
+}
+
+Mesh read_mesh_of_net(const std::string& path, const std::string& repair, int panels, Session& session) {
+  Mesh mesh = read_mesh(path, repair, session);
+  if (mesh.num_faces() == panels) return mesh;
+  Mesh whole = with_flat_regions_whole(mesh, session);
+  return whole.num_faces() == panels ? whole : mesh;
 }
 
 }  // namespace plico::cli

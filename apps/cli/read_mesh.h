@@ -15,4 +15,11 @@ Command& add_repair_option(Command& command, std::string& repair);
 // its place in the file when nothing was repaired before.
 Mesh read_mesh(const std::string& path, const std::string& repair, Session& session);
 
+// Neighbouring faces that lie in one plane as one (mesh/flat_regions.h), said and in the report ("flat_regions"); the
+// mesh as it is where there are none, or where that would make no surface.
+Mesh with_flat_regions_whole(Mesh mesh, Session& session);
+
+// The mesh that a net of so many panels is held against: as the file is, or as craft takes it, with flat regions whole.
+Mesh read_mesh_of_net(const std::string& path, const std::string& repair, int panels, Session& session);
+
 }  // namespace plico::cli

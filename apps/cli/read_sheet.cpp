@@ -10,11 +10,20 @@
 
 namespace plico::cli {
 
-FoldFile read_sheet(const std::string& path, Session& session) {
-  PatternFile pattern = read_pattern(session.read(path), path);
+FoldFile read_sheet(const std::string& path, Session& session, const DrawingOptions& drawing) {
+  PatternFile pattern = read_pattern(session.read(path), path, drawing);
   for (const std::string& note : pattern.notes) session.say(note);
   if (!pattern.notes.empty()) session.report()["notes"] = pattern.notes;
   return std::move(pattern.file);
+}
+
+void add_drawing_options(Command& command, DrawingOptions& drawing) {
+  command
+      .option("--merge", "LENGTH", "drawings: line ends closer than this are joined; 0: found from the drawing",
+              drawing.merge)
+      .option("--flatten", "LENGTH",
+              "SVG: how far the straight creases that replace a curve may be from it; 0: 1/400 of the drawing",
+              drawing.flatten);
 }
 
 std::vector<std::string> fold_outputs(const Session& session) {

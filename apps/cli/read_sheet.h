@@ -3,13 +3,18 @@
 #include <string>
 #include <vector>
 
+#include "command.h"
 #include "plico/io/pattern/fold.h"
+#include "plico/io/pattern/imported_pattern.h"
 #include "session.h"
 
 namespace plico::cli {
 
 // Says on standard error, and in the report, what reading changed or assumed.
-FoldFile read_sheet(const std::string& path, Session& session);
+FoldFile read_sheet(const std::string& path, Session& session, const DrawingOptions& drawing = {});
+
+// --merge and --flatten.
+void add_drawing_options(Command& command, DrawingOptions& drawing);
 
 // Where a command that writes FOLD files writes: session.outputs("-"), refused when a name asks for another kind.
 std::vector<std::string> fold_outputs(const Session& session);

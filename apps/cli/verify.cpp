@@ -78,7 +78,8 @@ void report_net(Session& session, const NetVerdict& verdict) {
 
 // Without a mesh the net is held against its own folded form; one that makes no surface is a defect like any other.
 NetVerdict judge(const FoldFile& file, const VerifyArgs& args, Session& session, const Run& run) {
-  if (!args.mesh.empty()) return verify_net(file.net, read_mesh(args.mesh, args.repair, session), {}, run);
+  if (!args.mesh.empty())
+    return verify_net(file.net, read_mesh_of_net(args.mesh, args.repair, file.net.sheet.num_faces(), session), {}, run);
   if (file.folded.empty())
     throw InvalidInput("verify/no-shape", fmt::format("{} has no folded form to hold the net against", args.file), {},
                        fmt::format("plico verify {} MESH", args.file));
@@ -102,7 +103,7 @@ int verify_net_file(const FoldFile& file, const VerifyArgs& args, Session& sessi
 }
 
 std::optional<Mesh> mesh_of(const FoldFile& file, const VerifyArgs& args, Session& session) {
-  if (!args.mesh.empty()) return read_mesh(args.mesh, args.repair, session);
+  if (!args.mesh.empty()) return read_mesh_of_net(args.mesh, args.repair, file.net.sheet.num_faces(), session);
   if (file.folded.empty()) return std::nullopt;
   return folded_mesh(file);
 }
@@ -173,7 +174,7 @@ int verify_motion_file(const FoldFile& file, const VerifyArgs& args, Session& se
   const Run run = session.run();
   const Linkage linkage = make_linkage(file.net.sheet, file.net.mate);
   std::optional<Mesh> mesh;
-  if (!args.mesh.empty()) mesh = read_mesh(args.mesh, args.repair, session);
+  if (!args.mesh.empty()) mesh = read_mesh_of_net(args.mesh, args.repair, file.net.sheet.num_faces(), session);
   if (mesh && (file.net.mesh_face.empty() || file.net.mesh_vertex.empty())) refuse_mesh(args);
   const FileVerdict claims = judge_motion(file, linkage, mesh, run);
   const PathProof proof = prove_path(linkage, *file.path, {.clearance = args.clearance}, run);

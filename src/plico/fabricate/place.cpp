@@ -15,7 +15,8 @@
 namespace plico {
 namespace {
 
-constexpr double kCell = 1;  // millimetres
+constexpr std::size_t kFew = 60;  // parts that are placed with care even when the run is over
+constexpr double kCell = 1;       // millimetres
 constexpr double kKeyGap = 3;
 
 // An item turned by some angle, as cells; `corner` is the lower left corner of its box.
@@ -185,7 +186,7 @@ std::vector<double> rotations(const PlaceItem& item, std::size_t num_items, cons
   double base = -grain(item).value_or(least_area_rectangle(item.hull).angle);
   const Vec2 size = turned_box(item, base).sizes();
   if ((size.x() > size.y()) != (room.x() > room.y())) base += kPi / 2;  // long side along long side
-  const int steps = num_items <= 60 ? 12 : 4;
+  const int steps = num_items <= kFew ? 12 : 4;
   std::vector<double> angles;
   for (int i = 0; i < steps; ++i) angles.push_back(base + i * 2 * kPi / steps);
   if (const auto fits = angle_that_fits(item.hull, room)) angles.push_back(*fits);
@@ -213,7 +214,7 @@ class Placer {
     int done = 0;
     for (int i : order) {
       run.report("placing parts", done++, static_cast<long>(order.size()));
-      add(i);
+      add(i, items_.size() > kFew && run.over());
     }
     Placed placed;
     placed.placements.resize(items_.size());
@@ -226,7 +227,8 @@ class Placer {
   }
 
  private:
-  void add(int i) {
+  // In a hurry the first way that fits is taken, on the last page or a new one.
+  void add(int i, bool hurry) {
     std::vector<Turned> ways;
     std::vector<Cells> grown;
     for (double angle : rotations(items_[i], items_.size(), room_)) {
@@ -234,10 +236,12 @@ class Placer {
       if (size.x() > room_.x() || size.y() > room_.y()) continue;
       ways.push_back(turned(items_[i], angle));
       grown.push_back(ways.back().cells.grown(options_.gap / kCell + 0.5));
+      if (hurry) break;
     }
     if (ways.empty()) throw InvalidInput("fabricate/part-too-large", fmt::format("part {} fits no page", i));
-    for (PageFiller& page : pages_)
-      if (!page.alone() && put_lowest(page, i, ways, grown)) return;
+    const std::size_t first = hurry && !pages_.empty() ? pages_.size() - 1 : 0;
+    for (std::size_t p = first; p < pages_.size(); ++p)
+      if (!pages_[p].alone() && put_lowest(pages_[p], i, ways, grown)) return;
     pages_.push_back(new_page());
     if (!put_lowest(pages_.back(), i, ways, grown)) pages_.back().put_alone(items_[i], i, ways.back().angle);
   }

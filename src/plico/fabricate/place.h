@@ -37,7 +37,8 @@ struct Placed {
 Vec2 key_size(KeyForm form, double ruler);
 
 // Every item fits the printable area in some angle_that_fits; throws InvalidInput otherwise. Items never overlap: cells
-// are taken whenever touched. Deterministic. O(items * rotations * cells) word operations at worst.
+// are taken whenever touched. Deterministic; when the run is over, many items are placed in a hurry, on more pages.
+// O(items * rotations * cells) word operations at worst.
 Placed place(const std::vector<PlaceItem>& items, const PageOptions& page, const PlaceOptions& options,
              const Run& run = {});
 

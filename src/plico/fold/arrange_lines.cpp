@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "plico/base/error.h"
+#include "plico/fold/merge_distance.h"
 #include "plico/fold/planar_faces.h"
 #include "plico/geom/box_tree.h"
 #include "plico/geom/predicates.h"
@@ -16,6 +17,8 @@ namespace {
 constexpr std::size_t kMostLines = 2'000'000;
 constexpr std::int64_t kMostPairs = 100'000'000;  // a second or two; real drawings have a few a line
 constexpr int kMostRounds = 40;
+constexpr std::size_t kMostLinesTried = 20'000;         // with more than one distance
+constexpr double kLeastMerge = 1e-9, kMostMerge = 0.1;  // of the drawing's longer side
 
 // Points no two of which are closer than `distance`, found again through square cells of that size.
 class Points {
@@ -284,14 +287,46 @@ class Arranger {
   Arrangement out_;
 };
 
+double asked_distance(double distance, double longest) {
+  if (distance >= kLeastMerge * longest && distance <= kMostMerge * longest) return distance;
+  throw InvalidOption(fmt::format("merge = {:g} must be in [{:.3g}, {:.3g}], from {:g} to {:g} of the drawing",
+                                  distance, kLeastMerge * longest, kMostMerge * longest, kLeastMerge, kMostMerge));
+}
+
+// What a person would not have drawn: creases that end in the middle of a panel, or were lost.
+int flaws(const Arrangement& a) {
+  std::vector<int> degree(a.sheet.vertices.size(), 0);
+  for (const Crease& e : a.sheet.edges) ++degree[e.a], ++degree[e.b];
+  return a.loose + a.dropped_dots + a.conflicts + static_cast<int>(std::count(degree.begin(), degree.end(), 1));
+}
+
+std::optional<Arrangement> try_distance(const std::vector<DrawnLine>& lines, const Vec2& low, double distance) {
+  try {
+    return Arranger(lines, low, distance).run();
+  } catch (const InvalidInput&) {
+    return {};
+  }
+}
+
 }  // namespace
 
 Arrangement arrange_lines(const std::vector<DrawnLine>& lines, const ArrangeOptions& options) {
-  if (!(options.merge >= 1e-9 && options.merge <= 0.1))
-    throw InvalidOption(fmt::format("merge = {} must be in [1e-9, 0.1]", options.merge));
+  if (!(options.merge >= kLeastMerge && options.merge <= kMostMerge))
+    throw InvalidOption(fmt::format("merge = {} must be in [{:g}, {:g}]", options.merge, kLeastMerge, kMostMerge));
   Vec2 low;
   const double longest = extent(lines, low);
-  return Arranger(lines, low, options.merge * longest).run();
+  if (options.distance > 0) return Arranger(lines, low, asked_distance(options.distance, longest)).run();
+  const double usual = options.merge * longest;
+  if (!options.found) return Arranger(lines, low, usual).run();
+  std::optional<Arrangement> best;
+  for (double distance : merge_distances(lines, longest, options.merge)) {
+    std::optional<Arrangement> arranged = try_distance(lines, low, distance);
+    if (arranged && (!best || flaws(*arranged) < flaws(*best))) best = std::move(arranged);
+    if (best && (flaws(*best) == 0 || lines.size() > kMostLinesTried)) break;
+  }
+  if (!best) return Arranger(lines, low, usual).run();  // which says what is wrong
+  best->customary = best->distance == usual;
+  return std::move(*best);
 }
 
 std::vector<std::string> notes(const Arrangement& a, const std::string& place) {
@@ -299,7 +334,8 @@ std::vector<std::string> notes(const Arrangement& a, const std::string& place) {
   const auto say = [&](int count, const std::string& one, const std::string& many) {
     if (count > 0) result.push_back(count == 1 ? "1 " + one : fmt::format("{} {}", count, many));
   };
-  const std::string distance = fmt::format("{:.3g}", a.distance);
+  const std::string distance =
+      fmt::format("{:.3g}{}", a.distance, a.customary ? "" : " (found from the drawing; --merge sets another)");
   say(a.joined_ends, "line end was moved onto another within " + distance,
       "line ends were moved onto others within " + distance);
   say(a.dropped_dots, "line no longer than " + distance + " was left out",

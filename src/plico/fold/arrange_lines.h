@@ -4,25 +4,21 @@
 #include <string>
 #include <vector>
 
-#include "plico/fold/crease_pattern.h"
+#include "plico/fold/drawn_line.h"
 
 namespace plico {
 
-struct DrawnLine {
-  Vec2 a, b;
-  Assignment assignment = Assignment::Unassigned;
-  double fold_angle = 0;  // radians, valley > 0
-  int place = 0;          // where it was drawn, for messages: a line number or a byte
-};
-
 struct ArrangeOptions {
   double merge = 1e-6;  // ends closer than this fraction of the drawing's longer side become one; in [1e-9, 0.1]
+  bool found = false;   // of the likely distances (merge_distance.h) the first that leaves the fewest ends loose
+  double distance = 0;  // in the drawing's unit: asked for, instead of both; 0: not
 };
 
 struct Arrangement {
   CreasePattern sheet;     // with its panels
   std::vector<int> drawn;  // of each edge: the line it is a piece of
   double distance = 0;     // ends closer than this were joined, in the drawing's unit
+  bool customary = true;   // it is the one asked for, not one found in a gap
 
   int joined_ends = 0;   // moved onto another end
   int dropped_dots = 0;  // lines no longer than `distance`

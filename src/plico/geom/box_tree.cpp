@@ -1,6 +1,7 @@
 #include "plico/geom/box_tree.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -66,6 +67,28 @@ void BoxTree::overlapping_pairs(const std::function<bool(int, int)>& visit) cons
       stack.insert(stack.end(), {{a, n.left}, {a, n.right}});
     }
   }
+}
+
+double BoxTree::nearest(const Vec3& p, const std::function<double(int)>& distance) const {
+  double least = std::numeric_limits<double>::infinity();
+  std::vector<std::pair<double, int>> stack;
+  const auto push = [&](int node) { stack.emplace_back(nodes_[node].box.exteriorDistance(p), node); };
+  if (!nodes_.empty()) push(0);
+  while (!stack.empty()) {
+    const auto [at_least, index] = stack.back();
+    stack.pop_back();
+    if (at_least >= least) continue;
+    const Node& node = nodes_[index];
+    if (node.left < 0) {
+      for (int i = node.first; i < node.last; ++i)
+        if (leaf_boxes_[i].exteriorDistance(p) < least) least = std::min(least, distance(order_[i]));
+      continue;
+    }
+    push(node.left);
+    push(node.right);
+    if (stack[stack.size() - 2].first < stack.back().first) std::swap(stack[stack.size() - 2], stack.back());
+  }
+  return least;
 }
 
 }  // namespace plico

@@ -17,6 +17,10 @@ class BoxTree {
   // same in every run. O(n log n + pairs) for boxes of similar size.
   void overlapping_pairs(const std::function<bool(int, int)>& visit) const;
 
+  // The least distance(i), which must be at least that of `p` to box i; infinite for an empty tree. O(log n) when boxes
+  // are small.
+  double nearest(const Vec3& p, const std::function<double(int)>& distance) const;
+
  private:
   struct Node {
     Eigen::AlignedBox3d box;

@@ -11,7 +11,9 @@
 #include <tuple>
 
 #include "plico/base/error.h"
+#include "plico/geom/box_tree.h"
 #include "plico/mesh/measures.h"
+#include "plico/mesh/triangulate.h"
 
 namespace plico {
 namespace {
@@ -51,6 +53,7 @@ constexpr std::array kLimits = {Limits{0.4, 0.12}, Limits{0.2, 0.06}, Limits{0.0
 
 constexpr double kFlat = 0.94;  // cosine between normals of faces that may exchange an edge
 constexpr int kEveningRounds = 6;
+constexpr double kBoundaryWeight = 10;
 
 struct Candidate {
   double cost;
@@ -67,7 +70,8 @@ class Simplifier {
       : points_(mesh.soup().points),
         faces_of_(mesh.num_vertices()),
         quadric_(mesh.num_vertices()),
-        version_(mesh.num_vertices(), 0) {
+        version_(mesh.num_vertices(), 0),
+        on_boundary_(mesh.num_vertices(), 0) {
     const double center_weight = evenness / 3;
     for (FaceId f : mesh.faces()) {
       const auto c = mesh.corners(f);
@@ -79,6 +83,8 @@ class Simplifier {
       }
     }
     num_faces_ = mesh.num_faces();
+    for (EdgeId e : mesh.edges())
+      if (mesh.is_boundary(e)) hold_boundary(mesh, mesh.halfedge(e));
   }
 
   void reduce_to(int target) {
@@ -94,7 +100,8 @@ class Simplifier {
   }
 
   // Better shaped triangles on the same surface: edges are flipped and vertices slide in their tangent planes.
-  void even_out(int rounds) {
+  void even_out(int rounds, bool keep_sharp) {
+    keep_sharp_ = keep_sharp;
     for (int round = 0; round < rounds; ++round) {
       for (std::size_t f = 0; f < faces_.size(); ++f)
         for (int k = 0; k < 3; ++k) flip_if_better(static_cast<int>(f), k);
@@ -118,6 +125,16 @@ class Simplifier {
   }
 
  private:
+  // A plane through the edge, across its face, weighs more than what the face itself asks for.
+  void hold_boundary(const Mesh& mesh, HalfedgeId h) {
+    const Vec3 from = mesh.point(mesh.from(h)), along = mesh.point(mesh.to(h)) - from;
+    const Vec3 across = along.cross(normal(mesh, mesh.face(h))).normalized();
+    for (VertexId v : {mesh.from(h), mesh.to(h)}) {
+      on_boundary_[v] = 1;
+      quadric_[v].add_plane(across, from, kBoundaryWeight * along.squaredNorm());
+    }
+  }
+
   void offer(int u, int v) {
     if (u > v) std::swap(u, v);
     Quadric q = quadric_[u];
@@ -170,8 +187,17 @@ class Simplifier {
     common_.clear();
     std::set_intersection(around_u_.begin(), around_u_.end(), around_v_.begin(), around_v_.end(),
                           std::back_inserter(common_));
-    if (common_.size() != 2) return false;
-    return faces_of_[common_[0]].size() > 3 && faces_of_[common_[1]].size() > 3;
+    const bool both_on_boundary = on_boundary_[u] && on_boundary_[v];
+    if (common_.size() != (both_on_boundary ? 1 : 2)) return false;
+    if (both_on_boundary && num_faces_between(u, v) != 1) return false;  // would pinch the surface
+    return std::all_of(common_.begin(), common_.end(),
+                       [&](int tip) { return faces_of_[tip].size() > (on_boundary_[tip] ? 1 : 3); });
+  }
+
+  int num_faces_between(int u, int v) const {
+    return static_cast<int>(std::count_if(faces_of_[u].begin(), faces_of_[u].end(), [&](int f) {
+      return std::find(faces_[f].begin(), faces_[f].end(), v) != faces_[f].end();
+    }));
   }
 
   // 4 sqrt(3) area / sum of squared sides: 1 equilateral, 0 degenerate.
@@ -216,6 +242,7 @@ class Simplifier {
     const Triangle t = faces_[f];
     if (t[0] < 0) return;
     const int u = t[k], v = t[(k + 1) % 3], a = t[(k + 2) % 3], g = face_beyond(f, u, v);
+    if (g < 0) return;
     const int b = faces_[g][0] + faces_[g][1] + faces_[g][2] - u - v;
     const Triangle one{a, u, b}, two{b, v, a};
     if (std::min(quality(one), quality(two)) <= 1.0001 * std::min(quality(t), quality(faces_[g]))) return;
@@ -233,9 +260,15 @@ class Simplifier {
     faces_of_[b].push_back(f);
   }
 
+  bool is_sharp(int v) const {
+    for (int f : faces_of_[v])
+      if (!alike(doubled_area(faces_[f]), doubled_area(faces_[faces_of_[v].front()]))) return true;
+    return false;
+  }
+
   // To the middle of its neighbors, as far as the tangent plane allows; only if the worst face becomes better.
   void slide(int v) {
-    if (faces_of_[v].empty()) return;
+    if (faces_of_[v].empty() || on_boundary_[v] || (keep_sharp_ && is_sharp(v))) return;
     Vec3 across = Vec3::Zero(), middle = Vec3::Zero();
     for (int f : faces_of_[v]) across += doubled_area(faces_[f]);
     for (int w : neighbors(v, around_v_)) middle += points_[w] / static_cast<double>(around_v_.size());
@@ -272,6 +305,7 @@ class Simplifier {
     }
     faces_of_[v].clear();
     points_[u] = at;
+    on_boundary_[u] = on_boundary_[u] || on_boundary_[v];
     ++version_[v];
   }
 
@@ -291,6 +325,8 @@ class Simplifier {
   std::vector<std::vector<int>> faces_of_;
   std::vector<Quadric> quadric_;
   std::vector<int> version_;  // a candidate counts only while both its vertices are as they were
+  std::vector<char> on_boundary_;
+  bool keep_sharp_ = false;
   std::priority_queue<Candidate> queue_;
   Limits limits_ = kLimits[0];
   int num_faces_ = 0;
@@ -310,12 +346,64 @@ PolygonSoup simplified(const Mesh& mesh, const SimplifyOptions& options) {
   for (FaceId f : mesh.faces())
     if (mesh.degree(f) != 3)
       throw InvalidInput("simplify/polygon", "only triangles can be simplified", describe_face(mesh.soup(), f));
-  for (EdgeId e : mesh.edges())
-    if (mesh.is_boundary(e)) throw InvalidInput("simplify/open", "only closed meshes can be simplified");
   Simplifier simplifier(mesh, options.evenness);
-  simplifier.reduce_to(options.faces / 2 * 2);
-  simplifier.even_out(kEveningRounds);
+  simplifier.reduce_to(is_closed(mesh) ? options.faces / 2 * 2 : options.faces);
+  simplifier.even_out(kEveningRounds, options.keep_sharp);
   return simplifier.soup();
+}
+
+PolygonSoup triangulated(const PolygonSoup& soup) {
+  PolygonSoup result;
+  result.points = soup.points;
+  for (int f = 0; f < soup.num_faces(); ++f)
+    for (const auto& triangle : triangulate_face(soup, f)) result.add_face(triangle);
+  return result;
+}
+
+namespace {
+
+// Of a point from a triangle (Ericson 2005, 5.1.5, by the regions of its corners, edges and face).
+double distance_to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const auto to_segment = [&](const Vec3& u, const Vec3& v) {
+    const Vec3 along = v - u;
+    const double length = along.squaredNorm();
+    const double t = length > 0 ? std::clamp((p - u).dot(along) / length, 0.0, 1.0) : 0;
+    return (p - u - t * along).norm();
+  };
+  const Vec3 n = (b - a).cross(c - a);
+  const bool above = n.squaredNorm() > 0 && n.dot((b - a).cross(p - a)) >= 0 && n.dot((c - b).cross(p - b)) >= 0 &&
+                     n.dot((a - c).cross(p - c)) >= 0;
+  if (above) return std::abs(n.dot(p - a)) / n.norm();
+  return std::min({to_segment(a, b), to_segment(b, c), to_segment(c, a)});
+}
+
+double farthest_vertex(const PolygonSoup& from, const PolygonSoup& to) {
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for (int f = 0; f < to.num_faces(); ++f) {
+    Eigen::AlignedBox3d box;
+    for (int v : to.face(f)) box.extend(to.points[v]);
+    boxes.push_back(box);
+  }
+  const BoxTree tree(boxes);
+  std::vector<char> used(from.points.size(), 0);
+  for (int v : from.corners) used[v] = 1;
+  double farthest = 0;
+  for (int v = 0; v < from.num_points(); ++v) {
+    if (!used[v]) continue;
+    const Vec3& p = from.points[v];
+    farthest = std::max(farthest, tree.nearest(p, [&](int f) {
+      const auto t = to.face(f);
+      return distance_to_triangle(p, to.points[t[0]], to.points[t[1]], to.points[t[2]]);
+    }));
+  }
+  return farthest;
+}
+
+}  // namespace
+
+double vertex_distance(const PolygonSoup& a, const PolygonSoup& b) {
+  const PolygonSoup s = triangulated(a), t = triangulated(b);
+  return std::max(farthest_vertex(s, t), farthest_vertex(t, s));
 }
 
 }  // namespace plico

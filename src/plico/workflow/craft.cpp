@@ -155,7 +155,7 @@ CraftResult craft(const Mesh& mesh, const CraftOptions& options, const Run& run)
   run.report("laying out pages", 0);
   LayoutOptions layout = options.layout;
   layout.size.fill_page = true;
-  result.layout = lay_out_pages(result.net, folded_shape(mesh), layout);
+  result.layout = lay_out_pages(result.net, folded_shape(mesh), layout, run);
   result.layout_verdict = verify_layout(result.layout.layout);
   add_pages(options, result);
   result.files.push_back({options.name + ".fold", fold_text(mesh, options, result)});
@@ -163,6 +163,27 @@ CraftResult craft(const Mesh& mesh, const CraftOptions& options, const Run& run)
   result.files.push_back({"report.json", report.dump(2) + "\n"});
   result.files.push_back({"index.html", page_text(options, result, report)});
   return result;
+}
+
+HandWork hand_work(const CraftResult& result) {
+  HandWork work;
+  const Unfolding& net = result.net;
+  std::vector<double> lengths;
+  for (int e = 0; e < net.sheet.num_edges(); ++e) {
+    if (net.mate[e] > e) continue;  // a seam counts once
+    const Crease& edge = net.sheet.edges[e];
+    lengths.push_back(result.layout.report.scale * (net.sheet.vertices[edge.a] - net.sheet.vertices[edge.b]).norm());
+    work.small += lengths.back() < kSmallEdge;
+  }
+  work.edges = static_cast<int>(lengths.size());
+  const LabelReport& labels = result.layout.report.labels;
+  work.omitted = labels.omitted;
+  work.ids = labels.placed + labels.leaders + labels.omitted;
+  if (lengths.empty()) return work;
+  const auto middle = lengths.begin() + work.edges / 2;
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  if (*middle > 0) work.longest_mm = result.layout.report.final_size.maxCoeff() * 2 * kSmallEdge / *middle;
+  return work;
 }
 
 nlohmann::json craft_report(const Mesh& mesh, const CraftResult& result) {
@@ -179,6 +200,8 @@ nlohmann::json craft_report(const Mesh& mesh, const CraftResult& result) {
       {"scale_mm_per_unit", layout.scale},
       {"fill_ratio", layout.fill_ratio},
       {"tabs", layout.tabs.tabs.size()},
+      {"edges", hand_work(result).edges},
+      {"edges_under_5_mm", hand_work(result).small},
       {"seams_without_tab", layout.tabs.omitted + layout.tabs.short_seams},
       {"pages_verified", result.layout_verdict.sound()},
   };

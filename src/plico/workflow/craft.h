@@ -56,6 +56,16 @@ struct CraftResult {
 
 CraftResult craft(const Mesh& mesh, const CraftOptions& options = {}, const Run& run = {});
 
+// What hands have to do: edges of the printed net, those to fold and those to glue each once.
+constexpr double kSmallEdge = 5;  // millimetres
+struct HandWork {
+  int edges = 0, small = 0;  // in all, and shorter than kSmallEdge
+  int ids = 0, omitted = 0;  // of edges, asked for, and left out where they did not fit
+  double longest_mm = 0;     // of a model half of whose edges are twice as long
+  bool too_small() const { return 2 * small > edges || 3 * omitted > ids; }
+};
+HandWork hand_work(const CraftResult& result);
+
 // What there is to say about it, as shown on the page and written to report.json. No times: the same answer has the
 // same bytes.
 nlohmann::json craft_report(const Mesh& mesh, const CraftResult& result);

@@ -14,6 +14,7 @@ constexpr std::array<std::string_view, 10> kMethods = {"auto", "linear",       "
                                                        "prm",  "continuation", "frog",    "md-frog",  "reuse"};
 constexpr int kPlanners = 9;  // of them
 constexpr int kTriesPerAlternative = 20;
+constexpr int kMostUniform = 5000;  // hinges: nearly each stops at its own moment, and 5,000 of each are 200 MB
 
 Planner planner_of(MotionMethod method) {
   return method == MotionMethod::RrtConnect ? Planner::RrtConnect
@@ -29,7 +30,7 @@ class Planning {
   MotionOutcome plan() {
     const bool any = options_.method == MotionMethod::Auto;
     if (any || options_.method == MotionMethod::Linear) take(MotionMethod::Linear, linear_path(linkage_), run_);
-    if (!enough() && (any || options_.method == MotionMethod::Uniform))
+    if (!enough() && (any ? may_be_uniform() : options_.method == MotionMethod::Uniform))
       take(MotionMethod::Uniform, uniform_path(linkage_), run_);
     if (!enough() && (any ? options_.may_search : wants_a_planner())) search();
     if (outcome_.motions.empty()) take(MotionMethod::Linear, linear_path(linkage_), {});
@@ -42,6 +43,7 @@ class Planning {
 
  private:
   bool enough() const { return free_ >= options_.alternatives; }
+  bool may_be_uniform() const { return linkage_.num_hinges() <= kMostUniform && !run_.over(); }
   bool wants_a_planner() const {
     return options_.method != MotionMethod::Linear && options_.method != MotionMethod::Uniform;
   }

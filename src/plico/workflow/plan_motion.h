@@ -21,7 +21,7 @@ bool is_for_loops(MotionMethod method);
 
 struct MotionOptions {
   std::uint64_t seed = 1;
-  MotionMethod method = MotionMethod::Auto;  // Auto: linear, else uniform, else lazy-prm
+  MotionMethod method = MotionMethod::Auto;  // Auto: linear, else uniform (up to 5,000 hinges), else lazy-prm
   int alternatives = 1;                      // motions wanted, none of which blends straight into another; at least 1
   double clearance = 0;                      // units; 0: 1e-3 of the mean side length
   // With loops:

@@ -35,7 +35,8 @@ int type_of(Assignment assignment) {
 
 }  // namespace
 
-ImportedPattern read_cp(std::string_view bytes, const std::string& name) {
+ImportedPattern read_cp(std::string_view bytes, const std::string& name, const DrawingOptions& options) {
+  check(options);
   TextScanner scan(bytes, name);
   std::vector<DrawnLine> lines;
   bool creased = false;
@@ -54,7 +55,7 @@ ImportedPattern read_cp(std::string_view bytes, const std::string& name) {
     creased = creased || type == 2 || type == 3;
     lines.push_back({{at[0], -at[1]}, {at[2], -at[3]}, assignment, flat_fold_angle(assignment), place});
   }
-  Arrangement arranged = arrange_lines(lines, {.merge = kRoundedMerge});
+  Arrangement arranged = arrange_lines(lines, {.merge = kRoundedMerge, .found = true, .distance = options.merge});
   ImportedPattern result{std::move(arranged.sheet), notes(arranged)};
   if (creased)
     result.notes.emplace_back("the file has no fold angles: mountains and valleys are folded by 180 degrees");

@@ -10,7 +10,7 @@ namespace plico {
 
 // The drawing as it looks on the screen: y is turned up. Mountains and valleys are folded flat, 180 degrees. Throws
 // InvalidInput ("cp/...", "read/...", "pattern/...") with file and line.
-ImportedPattern read_cp(std::string_view bytes, const std::string& name = "input");
+ImportedPattern read_cp(std::string_view bytes, const std::string& name = "input", const DrawingOptions& options = {});
 
 // Angles and panels are lost: the format has none. Reads back to the same vertices.
 std::string write_cp(const CreasePattern& sheet);

@@ -68,8 +68,10 @@ class OpxReader {
 
 }  // namespace
 
-ImportedPattern read_opx(std::string_view bytes, const std::string& name) {
-  Arrangement arranged = arrange_lines(OpxReader(bytes, name).run(), {.merge = kRoundedMerge});
+ImportedPattern read_opx(std::string_view bytes, const std::string& name, const DrawingOptions& options) {
+  check(options);
+  Arrangement arranged =
+      arrange_lines(OpxReader(bytes, name).run(), {.merge = kRoundedMerge, .found = true, .distance = options.merge});
   ImportedPattern result{std::move(arranged.sheet), notes(arranged)};
   result.notes.emplace_back("the file has no fold angles: mountains and valleys are folded by 180 degrees");
   return result;

@@ -9,6 +9,6 @@
 namespace plico {
 
 // As read_cp. Throws InvalidInput ("opx/...", "read/xml", "pattern/...") with file and line.
-ImportedPattern read_opx(std::string_view bytes, const std::string& name = "input");
+ImportedPattern read_opx(std::string_view bytes, const std::string& name = "input", const DrawingOptions& options = {});
 
 }  // namespace plico

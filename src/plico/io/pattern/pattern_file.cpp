@@ -20,16 +20,17 @@ bool is_named_as_mesh(const std::string& name) {
   return std::ranges::find(kMeshes, extension(name)) != std::end(kMeshes);
 }
 
-PatternFile read_as(std::string_view bytes, PatternFormat format, const std::string& name) {
+PatternFile read_as(std::string_view bytes, PatternFormat format, const std::string& name,
+                    const DrawingOptions& options) {
   switch (format) {
     case PatternFormat::Fold:
       return {read_fold(bytes, name), {}};
     case PatternFormat::Cp:
-      return drawing(read_cp(bytes, name));
+      return drawing(read_cp(bytes, name, options));
     case PatternFormat::Opx:
-      return drawing(read_opx(bytes, name));
+      return drawing(read_opx(bytes, name, options));
     case PatternFormat::Svg:
-      return drawing(read_svg_pattern(bytes, name));
+      return drawing(read_svg_pattern(bytes, name, options));
     case PatternFormat::Ori:
       return drawing(read_ori(bytes, name).pattern);
   }
@@ -64,7 +65,7 @@ std::optional<PatternFormat> sniff_pattern_format(std::string_view bytes) {
   return {};
 }
 
-PatternFile read_pattern(std::string_view bytes, const std::string& name) {
+PatternFile read_pattern(std::string_view bytes, const std::string& name, const DrawingOptions& options) {
   if (bytes.find_first_not_of(" \t\r\n") == std::string_view::npos)
     throw InvalidInput("read/empty", fmt::format("{} is empty", name), name);
   if (is_named_as_mesh(name))
@@ -74,7 +75,7 @@ PatternFile read_pattern(std::string_view bytes, const std::string& name) {
   // Without a name that says otherwise it is FOLD, whose reader says best what is wrong.
   const PatternFormat format = by_name ? *by_name : by_content.value_or(PatternFormat::Fold);
   try {
-    return read_as(bytes, format, name);
+    return read_as(bytes, format, name, options);
   } catch (const InvalidInput& error) {
     if (!by_content || by_content == format || !error.suggestion().empty()) throw;
     throw InvalidInput(error.code(), error.what(), error.where(),

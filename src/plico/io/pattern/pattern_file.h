@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "plico/io/pattern/fold.h"
+#include "plico/io/pattern/imported_pattern.h"
 
 namespace plico {
 
@@ -21,6 +22,6 @@ struct PatternFile {
 
 // The sheet of a file in memory; the format by the extension of `name`, else by the contents. Throws InvalidInput with
 // a code, the place in the file and often a suggestion.
-PatternFile read_pattern(std::string_view bytes, const std::string& name = "input");
+PatternFile read_pattern(std::string_view bytes, const std::string& name = "input", const DrawingOptions& options = {});
 
 }  // namespace plico

@@ -7,6 +7,7 @@
 
 #include "plico/base/error.h"
 #include "plico/fold/arrange_lines.h"
+#include "plico/io/pattern/svg_path.h"
 #include "plico/io/pattern/svg_style.h"
 #include "plico/io/text/text_scanner.h"
 #include "plico/io/text/xml.h"
@@ -14,9 +15,10 @@
 namespace plico {
 namespace {
 
-constexpr double kDrawnMerge = 1e-3;  // of the drawing; Origami Simulator joins ends within 3 units, of some hundreds
+constexpr int kMostElements = 2'000'000;  // drawn; <use> of <use> can make any number of them from a small file
+constexpr double kSameHue = 20;           // degrees: print colours are off by less, orange is 21 from yellow
 
-std::optional<Assignment> assignment_of_color(int color) {
+std::optional<Assignment> exact_assignment(int color) {
   switch (color) {
     case 0xff0000:
       return Assignment::Mountain;
@@ -25,6 +27,7 @@ std::optional<Assignment> assignment_of_color(int color) {
     case 0x000000:
       return Assignment::Boundary;
     case 0x00ff00:
+    case 0x008000:  // "green", which Origami Simulator takes for a cut
       return Assignment::Cut;
     case 0xffff00:
       return Assignment::Flat;
@@ -33,6 +36,23 @@ std::optional<Assignment> assignment_of_color(int color) {
     default:
       return {};
   }
+}
+
+// Of a colour that a drawing program has changed, as for print: what is nearly black, or strong and of nearly the hue.
+std::optional<Assignment> nearest_assignment(int color) {
+  const int red = color >> 16, green = color >> 8 & 255, blue = color & 255;
+  const int most = std::max({red, green, blue}), chroma = most - std::min({red, green, blue});
+  if (most <= 64) return Assignment::Boundary;
+  if (chroma < 96 || 2 * chroma < most) return {};
+  double hue = most == red     ? 60.0 * (green - blue) / chroma
+               : most == green ? 120 + 60.0 * (blue - red) / chroma
+                               : 240 + 60.0 * (red - green) / chroma;
+  if (hue < 0) hue += 360;
+  constexpr std::pair<double, int> kHues[] = {{0, 0xff0000},   {60, 0xffff00},  {120, 0x00ff00},
+                                              {240, 0x0000ff}, {300, 0xff00ff}, {360, 0xff0000}};
+  for (const auto& [known, pure] : kHues)
+    if (std::abs(hue - known) <= kSameHue) return exact_assignment(pure);
+  return {};
 }
 
 const char* color_of(Assignment assignment) {
@@ -57,25 +77,36 @@ const char* color_of(Assignment assignment) {
 // What an element hands down to those inside it.
 struct Context {
   Eigen::Affine2d to_drawing = Eigen::Affine2d::Identity();
-  std::string stroke = "none", stroke_opacity = "1";
+  std::string stroke = "none", stroke_opacity = "1", color = "black";
   double opacity = 1;  // of all groups around
+  bool visible = true;
+};
+
+// Strokes with a meaning, in the drawing's coordinates, y up.
+struct Drawn {
+  std::vector<SvgStroke> strokes;
+  std::vector<DrawnLine> meanings;  // of each stroke; without ends
 };
 
 class SvgReader {
  public:
   SvgReader(std::string_view bytes, const std::string& name) : xml_(bytes, name) {}
 
-  std::vector<DrawnLine> run() {
+  Drawn run() {
     if (local_name(xml_.root()) != "svg")
       fail("root", fmt::format("the outermost element is {}, must be svg", quoted_word(xml_.root().name())),
            xml_.root());
-    gather_rules(xml_.root(), 0);
+    gather(xml_.root(), 0);
     visit(xml_.root(), {}, 0);
-    return std::move(lines_);
+    return std::move(drawn_);
   }
 
-  std::vector<std::string> left_out() const {
+  std::vector<std::string> assumed() const {
     std::vector<std::string> result;
+    if (near_colors_ > 0)
+      result.push_back(
+          fmt::format("shapes that have nearly the colour of a crease were taken for one: {}, as {} for {}",
+                      near_colors_, near_color_, near_meaning_));
     if (colorless_ > 0)
       result.push_back(
           fmt::format("{} shapes with no stroke, or one of another colour, were left out (first at line {})",
@@ -95,49 +126,34 @@ class SvgReader {
     return name.substr(name.find(':') + 1);  // npos + 1 is 0
   }
 
-  void gather_rules(const pugi::xml_node& node, int depth) {
+  // Style sheets, and the elements that <use> may name.
+  void gather(const pugi::xml_node& node, int depth) {
     xml_.check_depth(node, depth);
     if (local_name(node) == "style") {
       std::string text;
       for (const pugi::xml_node& child : node.children()) text += child.value();
-      for (const auto& [selector, style] : parse_style_sheet(text))
-        for (const auto& [key, value] : style) rules_[selector][key] = value;
+      rules_.add(text);
     }
-    for (const pugi::xml_node& child : node.children()) gather_rules(child, depth + 1);
+    if (const auto id = node.attribute("id")) by_id_.emplace(id.value(), node);
+    for (const pugi::xml_node& child : node.children()) gather(child, depth + 1);
   }
 
-  // Attributes, then rules from the general to the special, then style="".
+  // Attributes, then rules, then style="".
   SvgStyle style_of(const pugi::xml_node& node) const {
     SvgStyle style;
-    const auto add = [&](const SvgStyle& more) {
-      for (const auto& [key, value] : more) style[key] = value;
-    };
-    for (const char* key : {"stroke", "opacity", "stroke-opacity", "display"})
+    for (const char* key : {"stroke", "opacity", "stroke-opacity", "display", "visibility", "color"})
       if (const auto attribute = node.attribute(key)) style[key] = attribute.value();
-    const auto rule = [&](const std::string& selector) {
-      if (const auto at = rules_.find(selector); at != rules_.end()) add(at->second);
-    };
-    const std::string element(local_name(node));
-    rule("*");
-    rule(element);
-    std::string classes = node.attribute("class").value();
-    for (std::size_t start = 0; start < classes.size();) {
-      const std::size_t end = std::min(classes.find(' ', start), classes.size());
-      rule("." + classes.substr(start, end - start));
-      rule(element + "." + classes.substr(start, end - start));
-      start = end + 1;
-    }
-    add(parse_declarations(node.attribute("style").value()));
+    for (const auto& [key, value] :
+         rules_.style_of(local_name(node), node.attribute("id").value(), node.attribute("class").value()))
+      style[key] = value;
+    for (const auto& [key, value] : parse_declarations(node.attribute("style").value())) style[key] = value;
     return style;
   }
 
   double opacity(const std::string& text, const pugi::xml_node& node) const {
-    const bool percent = text.ends_with('%');
-    double value = 0;
-    if (!parse_number(std::string_view(text).substr(0, text.size() - (percent ? 1 : 0)), value) ||
-        !std::isfinite(value))
-      fail("opacity", fmt::format("opacity is {}, must be a number in [0, 1]", quoted_word(text)), node);
-    return std::clamp(percent ? value / 100 : value, 0.0, 1.0);
+    const std::optional<double> value = parse_opacity(text);
+    if (!value) fail("opacity", fmt::format("opacity is {}, must be a number in [0, 1]", quoted_word(text)), node);
+    return *value;
   }
 
   Context inside(const pugi::xml_node& node, Context context, const SvgStyle& style) const {
@@ -146,8 +162,13 @@ class SvgReader {
       return at == style.end() || at->second == "inherit" ? nullptr : &at->second;
     };
     if (const std::string* stroke = given("stroke")) context.stroke = *stroke;
+    if (const std::string* color = given("color")) context.color = *color;
     if (const std::string* value = given("stroke-opacity")) context.stroke_opacity = *value;
-    if (const std::string* value = given("opacity")) context.opacity *= opacity(*value, node);
+    if (const std::string* value = given("opacity")) {
+      context.opacity *= opacity(*value, node);
+      if (!given("stroke-opacity")) context.stroke_opacity = "1";  // as Origami Simulator: one of the two is the angle
+    }
+    if (const std::string* value = given("visibility")) context.visible = *value == "visible";
     if (const auto transform = node.attribute("transform")) {
       const auto own = parse_transform(transform.value());
       if (!own) fail("transform", fmt::format("transform {} cannot be read", quoted_word(transform.value())), node);
@@ -156,58 +177,87 @@ class SvgReader {
     return context;
   }
 
-  void visit(const pugi::xml_node& node, const Context& outer, int depth) {
+  void visit(const pugi::xml_node& node, const Context& outer, int depth, bool used = false) {
     if (node.type() != pugi::node_element) return;
     xml_.check_depth(node, depth);
+    if (++visited_ > kMostElements) fail("size", fmt::format("more than {} elements are drawn", kMostElements), node);
     const std::string_view name = local_name(node);
-    for (const char* skipped : {"defs", "style", "title", "desc", "metadata", "clipPath", "mask", "symbol", "pattern",
-                                "marker", "script", "namedview", "linearGradient", "radialGradient"})
+    for (const char* skipped : {"defs", "style", "title", "desc", "metadata", "clipPath", "mask", "pattern", "marker",
+                                "script", "namedview", "linearGradient", "radialGradient"})
       if (name == skipped) return;
+    if (name == "symbol" && !used) return;
     const SvgStyle style = style_of(node);
     if (const auto display = style.find("display"); display != style.end() && display->second == "none") return;
-    const Context context = inside(node, outer, style);
-    if (name == "svg" || name == "g" || name == "a" || name == "switch") {
+    Context context = inside(node, outer, style);
+    if (name == "use") return follow(node, context, depth);
+    if (name == "svg" && depth > 0) context.to_drawing.translate(Vec2(length(node, "x"), length(node, "y")));
+    if (name == "svg" || name == "g" || name == "a" || name == "switch" || name == "symbol") {
       for (const pugi::xml_node& child : node.children()) visit(child, context, depth + 1);
       return;
     }
     draw(node, name, context);
   }
 
+  // A <use> of itself goes deeper until check_depth stops it.
+  void follow(const pugi::xml_node& node, Context context, int depth) {
+    std::string_view target;
+    for (const pugi::xml_attribute& attribute : node.attributes()) {
+      const std::string_view key = attribute.name();
+      if (key.substr(key.find(':') + 1) == "href") target = attribute.value();
+    }
+    const auto at = target.starts_with('#') ? by_id_.find(target.substr(1)) : by_id_.end();
+    if (at == by_id_.end())
+      fail("use", fmt::format("use of {}, which is no element of this file", quoted_word(target)), node);
+    context.to_drawing.translate(Vec2(length(node, "x"), length(node, "y")));
+    visit(at->second, context, depth + 1, true);
+  }
+
+  static bool is_shape(std::string_view name) {
+    for (const char* shape : {"line", "polyline", "polygon", "rect", "path", "circle", "ellipse"})
+      if (name == shape) return true;
+    return false;
+  }
+
   void draw(const pugi::xml_node& node, std::string_view name, const Context& context) {
-    const bool shape = name == "line" || name == "polyline" || name == "polygon" || name == "rect" || name == "path" ||
-                       name == "circle" || name == "ellipse";
-    if (!shape) {
+    if (!is_shape(name)) {
       ++unknown_;
       return;
     }
-    const std::optional<int> color = parse_color(context.stroke);
-    const std::optional<Assignment> assignment = color ? assignment_of_color(*color) : std::nullopt;
+    if (!context.visible) return;
+    const std::optional<SvgColor> color =
+        parse_color(context.stroke == "currentColor" ? context.color : context.stroke);
+    std::optional<Assignment> assignment = color ? exact_assignment(color->rgb) : std::nullopt;
+    if (color && !assignment) {
+      assignment = nearest_assignment(color->rgb);
+      if (assignment && near_colors_++ == 0) near_color_ = context.stroke, near_meaning_ = color_of(*assignment);
+    }
     if (!assignment) {
       if (colorless_++ == 0) first_colorless_ = xml_.line(node);
       return;
     }
-    pen_ = {*assignment, flat_fold_angle(*assignment) * context.opacity * opacity(context.stroke_opacity, node),
-            context.to_drawing, xml_.line(node)};
-    if (name == "line")
-      chain(node, {{value(node, "x1"), value(node, "y1")}, {value(node, "x2"), value(node, "y2")}}, false);
-    else if (name == "polyline" || name == "polygon")
-      chain(node, points(node), name == "polygon");
-    else if (name == "rect")
-      rectangle(node);
-    else if (name == "path")
-      path(node);
-    else
-      fail("curve", fmt::format("a {} is a curve; creases are straight", name), node,
-           "replace curves by straight lines");
+    const double share = context.opacity * opacity(context.stroke_opacity, node) * color->alpha;
+    const DrawnLine meaning{{0, 0}, {0, 0}, *assignment, flat_fold_angle(*assignment) * share, xml_.line(node)};
+    for (const SvgStroke& stroke : strokes_of(node, name)) add(node, stroke, context.to_drawing, meaning);
   }
 
-  double value(const pugi::xml_node& node, const char* key) const {
-    std::string_view text = node.attribute(key).value();
-    if (text.ends_with("px")) text.remove_suffix(2);
-    double x = 0;
-    if (!text.empty() && !(parse_number(text, x) && std::abs(x) <= kLargestCoordinate))
+  std::vector<SvgStroke> strokes_of(const pugi::xml_node& node, std::string_view name) const {
+    if (name == "line")
+      return chain({{length(node, "x1"), length(node, "y1")}, {length(node, "x2"), length(node, "y2")}}, false);
+    if (name == "polyline" || name == "polygon") return chain(points(node), name == "polygon");
+    if (name == "rect") return rectangle(node);
+    if (name == "circle" || name == "ellipse") return ellipse(node, name == "circle");
+    SvgPath path = parse_path(node.attribute("d").value());
+    if (!path.error.empty()) fail("path", path.error, node);
+    return std::move(path.strokes);
+  }
+
+  double length(const pugi::xml_node& node, const char* key) const {
+    const std::string_view text = node.attribute(key).value();
+    if (text.empty()) return 0;
+    const std::optional<double> value = parse_length(text);
+    if (!value || !(std::abs(*value) <= kLargestCoordinate))
       fail("number", fmt::format("{} is {}, must be a number", key, quoted_word(text)), node);
-    return x;
+    return *value;
   }
 
   std::vector<Vec2> points(const pugi::xml_node& node) const {
@@ -219,98 +269,96 @@ class SvgReader {
     return result;
   }
 
-  void rectangle(const pugi::xml_node& node) {
-    if (value(node, "rx") != 0 || value(node, "ry") != 0)
-      fail("curve", "the rectangle has round corners; creases are straight", node, "set rx and ry to 0");
-    const double x = value(node, "x"), y = value(node, "y"), w = value(node, "width"), h = value(node, "height");
-    chain(node, {{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}}, true);
+  std::vector<SvgStroke> rectangle(const pugi::xml_node& node) const {
+    const Vec2 size(length(node, "width"), length(node, "height"));
+    if (size.minCoeff() < 0) fail("number", "a rectangle's width and height must be at least 0", node);
+    const bool x = node.attribute("rx"), y = node.attribute("ry");  // one stands for both
+    return rectangle_strokes({length(node, "x"), length(node, "y")}, size, length(node, x ? "rx" : "ry"),
+                             length(node, y ? "ry" : "rx"));
   }
 
-  void chain(const pugi::xml_node& node, const std::vector<Vec2>& at, bool closed) {
-    for (std::size_t i = 0; i + 1 < at.size(); ++i) add(node, at[i], at[i + 1]);
-    if (closed && at.size() > 2) add(node, at.back(), at.front());
+  std::vector<SvgStroke> ellipse(const pugi::xml_node& node, bool circle) const {
+    const double rx = length(node, circle ? "r" : "rx"), ry = length(node, circle ? "r" : "ry");
+    if (!(rx > 0 && ry > 0)) return {};
+    return ellipse_strokes({length(node, "cx"), length(node, "cy")}, rx, ry);
   }
 
-  void add(const pugi::xml_node& node, const Vec2& a, const Vec2& b) {
+  static std::vector<SvgStroke> chain(const std::vector<Vec2>& at, bool closed) {
+    std::vector<SvgStroke> strokes;
+    for (std::size_t i = 0; i + 1 < at.size(); ++i) strokes.push_back({at[i], at[i + 1]});
+    if (closed && at.size() > 2) strokes.push_back({at.back(), at.front()});
+    return strokes;
+  }
+
+  void add(const pugi::xml_node& node, const SvgStroke& stroke, const Eigen::Affine2d& to_drawing,
+           const DrawnLine& meaning) {
     const auto placed = [&](const Vec2& p) {
-      const Vec2 q = pen_.to_drawing * p;
-      if (!(q.cwiseAbs().maxCoeff() <= kLargestCoordinate)) fail("number", "a coordinate is too large", node);
+      const Vec2 q = to_drawing * p;
+      if (!(std::abs(q.x()) <= kLargestCoordinate && std::abs(q.y()) <= kLargestCoordinate))
+        fail("number", "a coordinate is too large", node);
       return Vec2(q.x(), 0.0 - q.y());
     };
-    lines_.push_back({placed(a), placed(b), pen_.assignment, pen_.fold_angle, pen_.line});
+    drawn_.strokes.push_back({placed(stroke.a), placed(stroke.b), stroke.curved});
+    if (stroke.curved) drawn_.strokes.back().c = placed(stroke.c), drawn_.strokes.back().d = placed(stroke.d);
+    drawn_.meanings.push_back(meaning);
+    if (drawn_.strokes.size() > static_cast<std::size_t>(kMostElements))
+      fail("size", fmt::format("more than {} lines are drawn", kMostElements), node);
   }
-
-  // The commands M L H V Z and their small letters.
-  void path(const pugi::xml_node& node) {
-    const std::string_view d = node.attribute("d").value();
-    Vec2 at(0, 0), start(0, 0);
-    for (std::size_t i = d.find_first_not_of(" \t\r\n,"); i < d.size();) {
-      const char command = d[i];
-      if (std::string_view("CcSsQqTtAa").find(command) != std::string_view::npos)
-        fail("curve", fmt::format("the path has a curve (command {}, byte {}); creases are straight", command, i), node,
-             "replace curves by straight lines");
-      if (std::string_view("MmLlHhVvZz").find(command) == std::string_view::npos)
-        fail("path",
-             fmt::format("the path has {} at byte {}, must be one of M L H V Z",
-                         quoted_word(std::string_view(&command, 1)), i),
-             node);
-      const std::size_t next = std::min(d.find_first_of("MmLlHhVvZzCcSsQqTtAa", i + 1), d.size());
-      std::vector<double> numbers;
-      if (!parse_number_list(d.substr(i + 1, next - i - 1), numbers))
-        fail("path", fmt::format("the path has something that is no number after byte {}", i), node);
-      run_command(node, command, numbers, at, start);
-      i = next;
-    }
-  }
-
-  void run_command(const pugi::xml_node& node, char command, const std::vector<double>& numbers, Vec2& at,
-                   Vec2& start) {
-    const bool relative = command >= 'a';
-    const char kind = relative ? static_cast<char>(command - 'a' + 'A') : command;
-    const std::size_t step = kind == 'Z' ? 0 : kind == 'H' || kind == 'V' ? 1 : 2;
-    if (step == 0 ? !numbers.empty() : numbers.empty() || numbers.size() % step != 0)
-      fail("path", fmt::format("path command {} has {} numbers", command, numbers.size()), node);
-    if (kind == 'Z') {
-      if (at != start) add(node, at, start);
-      at = start;
-    }
-    for (std::size_t i = 0; i < numbers.size(); i += step) {
-      Vec2 to = at;
-      if (kind != 'V') to.x() = numbers[i] + (relative ? at.x() : 0);
-      if (kind != 'H') to.y() = numbers[i + step - 1] + (relative ? at.y() : 0);
-      if (kind == 'M' && i == 0)
-        start = to;
-      else
-        add(node, at, to);
-      at = to;
-    }
-  }
-
-  struct Pen {
-    Assignment assignment = Assignment::Boundary;
-    double fold_angle = 0;
-    Eigen::Affine2d to_drawing = Eigen::Affine2d::Identity();
-    int line = 0;
-  };
 
   XmlFile xml_;
-  std::map<std::string, SvgStyle, std::less<>> rules_;
-  Pen pen_;
-  std::vector<DrawnLine> lines_;
-  int colorless_ = 0, first_colorless_ = 0, unknown_ = 0;
+  SvgRules rules_;
+  std::map<std::string, pugi::xml_node, std::less<>> by_id_;  // the first of each name
+  Drawn drawn_;
+  std::string near_color_, near_meaning_;
+  int near_colors_ = 0, colorless_ = 0, first_colorless_ = 0, unknown_ = 0, visited_ = 0;
 };
+
+double longer_side(const std::vector<SvgStroke>& strokes) {
+  Eigen::AlignedBox2d box;
+  for (const SvgStroke& stroke : strokes) {
+    box.extend(stroke.a).extend(stroke.b);
+    if (stroke.curved) box.extend(stroke.c).extend(stroke.d);
+  }
+  return box.isEmpty() ? 0 : box.sizes().maxCoeff();
+}
+
+// Curves become chains of lines; the note says how many and how far they are from what was drawn.
+std::vector<DrawnLine> straightened(const Drawn& drawn, double flatness, std::vector<std::string>& notes) {
+  const double size = longer_side(drawn.strokes);
+  const double tolerance = flatness > 0 ? std::max(flatness, kLeastFlatness * size) : kFlatness * size;
+  std::vector<DrawnLine> lines;
+  int curves = 0, pieces = 0;
+  for (std::size_t i = 0; i < drawn.strokes.size(); ++i) {
+    const std::vector<Vec2> points = flatten(drawn.strokes[i], tolerance);
+    for (std::size_t k = 1; k < points.size(); ++k) {
+      DrawnLine line = drawn.meanings[i];
+      line.a = points[k - 1], line.b = points[k];
+      lines.push_back(line);
+    }
+    if (points.size() == 2) continue;
+    ++curves;
+    pieces += static_cast<int>(points.size()) - 1;
+  }
+  if (curves > 0)
+    notes.push_back(fmt::format("{} curve{} became {} straight lines, no farther than {:.3g} from {} (--flatten)",
+                                curves, curves == 1 ? "" : "s", pieces, tolerance, curves == 1 ? "it" : "them"));
+  return lines;
+}
 
 }  // namespace
 
-ImportedPattern read_svg_pattern(std::string_view bytes, const std::string& name) {
+ImportedPattern read_svg_pattern(std::string_view bytes, const std::string& name, const DrawingOptions& options) {
+  check(options);
   SvgReader reader(bytes, name);
-  const std::vector<DrawnLine> lines = reader.run();
-  if (lines.empty())
+  const Drawn drawn = reader.run();
+  if (drawn.strokes.empty())
     throw InvalidInput("svg/no-creases", "no stroke has the colour of a crease or border", name,
                        "draw mountains #f00, valleys #00f, the border #000");
-  Arrangement arranged = arrange_lines(lines, {.merge = kDrawnMerge});
-  ImportedPattern result{std::move(arranged.sheet), reader.left_out()};
+  ImportedPattern result{{}, reader.assumed()};
+  const std::vector<DrawnLine> lines = straightened(drawn, options.flatten, result.notes);
+  Arrangement arranged = arrange_lines(lines, {.merge = kDrawnMerge, .found = true, .distance = options.merge});
   for (std::string& note : notes(arranged)) result.notes.push_back(std::move(note));
+  result.sheet = std::move(arranged.sheet);
   return result;
 }
 

@@ -9,10 +9,12 @@
 
 namespace plico {
 
-// Lines, polylines, polygons, rectangles and straight paths, in groups, with transforms; the stroke from attributes,
-// style="" or simple rules of a <style> element. Line ends within 1/1000 of the drawing are joined, y is turned up.
-// Throws InvalidInput ("svg/...", "read/xml", "pattern/...") with file and line: curves are not creases.
-ImportedPattern read_svg_pattern(std::string_view bytes, const std::string& name = "input");
+// Every shape, in groups and by <use>, with transforms; the stroke from attributes, style="", <style> elements or the
+// groups around. Curves become chains of lines (options.flatten), line ends that nearly meet are joined
+// (options.merge), colours that are nearly one of the six are taken for it; y is turned up. The notes say so.
+// Throws InvalidInput ("svg/...", "read/xml", "pattern/...") with file and line.
+ImportedPattern read_svg_pattern(std::string_view bytes, const std::string& name = "input",
+                                 const DrawingOptions& options = {});
 
 // One <line> an edge; reads back to the same vertices and letters (J as F) and to the same angles but for rounding.
 std::string write_svg_pattern(const CreasePattern& sheet);

@@ -4,8 +4,10 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 
 #include "plico/base/libm.h"
+#include "plico/io/text/text_scanner.h"
 
 namespace plico {
 namespace {
@@ -35,25 +37,84 @@ void split(std::string_view text, char separator, Use use) {
   }
 }
 
-std::optional<int> parse_hex(std::string_view digits) {
-  int value = 0;
+std::optional<SvgColor> parse_hex(std::string_view digits) {
+  std::uint32_t value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
-  if (error != std::errc() || end != digits.data() + digits.size() || digits[0] == '-') return {};
-  if (digits.size() == 6) return value;
-  if (digits.size() != 3) return {};
-  return ((value >> 8) * 0x11) << 16 | ((value >> 4 & 15) * 0x11) << 8 | (value & 15) * 0x11;
+  if (error != std::errc() || end != digits.data() + digits.size()) return {};
+  if (digits.size() == 3 || digits.size() == 4) {  // each digit stands for two
+    std::uint32_t wide = 0;
+    for (std::size_t i = digits.size(); i-- > 0;) wide = wide << 8 | (value >> (4 * i) & 15) * 0x11;
+    value = wide;
+  }
+  if (digits.size() == 4 || digits.size() == 8) return SvgColor{static_cast<int>(value >> 8), (value & 255) / 255.0};
+  if (digits.size() != 3 && digits.size() != 6) return {};
+  return SvgColor{static_cast<int>(value)};
 }
 
-std::optional<int> parse_rgb(std::string_view arguments) {
-  std::vector<double> parts;
-  const bool percent = arguments.find('%') != std::string_view::npos;
-  std::string text(arguments);
-  std::erase(text, '%');
-  if (!parse_number_list(text, parts) || parts.size() != 3) return {};
+// "50%" of `whole`, "120deg", "0.5".
+std::optional<double> color_part(std::string_view part, double whole) {
+  const bool percent = part.ends_with('%');
+  if (percent) part.remove_suffix(1);
+  if (part.ends_with("deg")) part.remove_suffix(3);
+  double value = 0;
+  if (!parse_number(part, value) || !std::isfinite(value)) return {};
+  return percent ? value / 100 * whole : value;
+}
+
+// The arguments of a colour, between blanks, commas or the slash before alpha.
+std::vector<std::string_view> color_words(std::string_view text) {
+  constexpr std::string_view kBetween = " \t\r\n\f,/";
+  std::vector<std::string_view> words;
+  for (auto at = text.find_first_not_of(kBetween); at != std::string_view::npos;) {
+    const auto end = std::min(text.find_first_of(kBetween, at), text.size());
+    words.push_back(text.substr(at, end - at));
+    at = text.find_first_not_of(kBetween, end);
+  }
+  return words;
+}
+
+int packed(double red, double green, double blue) {
   int color = 0;
-  for (double part : parts)
-    color = color << 8 | static_cast<int>(std::lround(std::clamp(percent ? part * 2.55 : part, 0.0, 255.0)));
+  for (double part : {red, green, blue})
+    color = color << 8 | static_cast<int>(std::lround(std::clamp(part, 0.0, 255.0)));
   return color;
+}
+
+// Hue in degrees, saturation and lightness in [0, 1].
+int packed_hsl(double hue, double saturation, double lightness) {
+  saturation = std::clamp(saturation, 0.0, 1.0), lightness = std::clamp(lightness, 0.0, 1.0);
+  const double reach = saturation * std::min(lightness, 1 - lightness);
+  const auto part = [&](double from) {
+    const double k = std::fmod(std::fmod(from + hue / 30, 12) + 12, 12);
+    return 255 * (lightness - reach * std::max(-1.0, std::min({k - 3, 9 - k, 1.0})));
+  };
+  return packed(part(0), part(8), part(4));
+}
+
+std::optional<SvgColor> parse_function(bool hsl, std::string_view arguments) {
+  const std::vector<std::string_view> words = color_words(arguments);
+  if (words.size() != 3 && words.size() != 4) return {};
+  std::array<double, 4> parts{0, 0, 0, 1};
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::optional<double> part = color_part(words[i], i == 3 || hsl ? 1 : 255);
+    if (!part) return {};
+    parts[i] = *part;
+  }
+  const int rgb = hsl ? packed_hsl(parts[0], parts[1], parts[2]) : packed(parts[0], parts[1], parts[2]);
+  return SvgColor{rgb, std::clamp(parts[3], 0.0, 1.0)};
+}
+
+std::optional<int> named_color(std::string_view name) {
+  constexpr std::array<std::pair<std::string_view, int>, 24> kNames{
+      {{"red", 0xff0000},     {"blue", 0x0000ff},      {"black", 0x000000},   {"lime", 0x00ff00},
+       {"green", 0x008000},   {"yellow", 0xffff00},    {"magenta", 0xff00ff}, {"fuchsia", 0xff00ff},
+       {"white", 0xffffff},   {"gray", 0x808080},      {"grey", 0x808080},    {"silver", 0xc0c0c0},
+       {"maroon", 0x800000},  {"navy", 0x000080},      {"olive", 0x808000},   {"purple", 0x800080},
+       {"teal", 0x008080},    {"aqua", 0x00ffff},      {"cyan", 0x00ffff},    {"orange", 0xffa500},
+       {"crimson", 0xdc143c}, {"royalblue", 0x4169e1}, {"darkred", 0x8b0000}, {"darkblue", 0x00008b}}};
+  for (const auto& [known, value] : kNames)
+    if (name == known) return value;
+  return {};
 }
 
 std::optional<Eigen::Affine2d> one_transform(std::string_view name, const std::vector<double>& a) {
@@ -87,7 +148,7 @@ SvgStyle parse_declarations(std::string_view text) {
   return style;
 }
 
-std::map<std::string, SvgStyle, std::less<>> parse_style_sheet(std::string_view text) {
+void SvgRules::add(std::string_view text) {
   std::string plain;
   for (std::size_t i = 0; i < text.size();) {
     const auto start = text.find("/*", i);
@@ -95,34 +156,84 @@ std::map<std::string, SvgStyle, std::less<>> parse_style_sheet(std::string_view 
     const auto end = start == std::string_view::npos ? start : text.find("*/", start + 2);
     i = end == std::string_view::npos ? text.size() : end + 2;
   }
-  std::map<std::string, SvgStyle, std::less<>> rules;
   std::string_view rest = plain;
   for (auto open = rest.find('{'); open != std::string_view::npos; open = rest.find('{')) {
     const auto close = rest.find('}', open);
     const SvgStyle style = parse_declarations(rest.substr(open + 1, close - open - 1));
-    split(rest.substr(0, open), ',', [&](std::string_view selector) {
-      for (const auto& [key, value] : style) rules[std::string(selector)][key] = value;
-    });
+    std::string_view selectors = rest.substr(0, open);
+    if (const auto statement = selectors.rfind(';'); statement != std::string_view::npos)
+      selectors.remove_prefix(statement + 1);  // @import "...";
+    split(selectors, ',', [&](std::string_view selector) { add_rule(selector, style); });
     if (close == std::string_view::npos) break;
     rest.remove_prefix(close + 1);
   }
-  return rules;
 }
 
-std::optional<int> parse_color(std::string_view text) {
+void SvgRules::add_rule(std::string_view selector, const SvgStyle& style) {
+  if (selector.empty() || selector.find_first_of("@:[+~") != std::string_view::npos) return;
+  if (const auto outer = selector.find_last_of(" \t\r\n\f>"); outer != std::string_view::npos)
+    selector.remove_prefix(outer + 1);
+  Rule rule;
+  rule.style = style;
+  for (std::size_t at = 0; at < selector.size();) {
+    const auto end = std::min(selector.find_first_of(".#", at + 1), selector.size());
+    const std::string_view part = selector.substr(at, end - at);
+    if (part[0] == '.')
+      rule.classes.emplace_back(part.substr(1));
+    else if (part[0] == '#')
+      rule.id = part.substr(1);
+    else if (part != "*")
+      rule.element = part;
+    at = end;
+  }
+  const auto heavier =
+      std::find_if(rules_.begin(), rules_.end(), [&](const Rule& r) { return r.weight() > rule.weight(); });
+  rules_.insert(heavier, std::move(rule));
+}
+
+SvgStyle SvgRules::style_of(std::string_view element, std::string_view id, std::string_view classes) const {
+  const std::vector<std::string_view> own = color_words(classes);
+  SvgStyle style;
+  for (const Rule& rule : rules_) {
+    const bool fits = (rule.element.empty() || rule.element == element) && (rule.id.empty() || rule.id == id) &&
+                      std::all_of(rule.classes.begin(), rule.classes.end(), [&](const std::string& name) {
+                        return std::find(own.begin(), own.end(), name) != own.end();
+                      });
+    if (!fits) continue;
+    for (const auto& [key, value] : rule.style) style[key] = value;
+  }
+  return style;
+}
+
+std::optional<SvgColor> parse_color(std::string_view text) {
   const std::string color = lower(trimmed(text));
   if (color.starts_with('#') && color.size() > 1) return parse_hex(std::string_view(color).substr(1));
-  if (color.starts_with("rgb(") && color.ends_with(')'))
-    return parse_rgb(std::string_view(color).substr(4, color.size() - 5));
-  constexpr std::array<std::pair<std::string_view, int>, 7> kNames{{{"red", 0xff0000},
-                                                                    {"blue", 0x0000ff},
-                                                                    {"black", 0},
-                                                                    {"lime", 0x00ff00},
-                                                                    {"yellow", 0xffff00},
-                                                                    {"magenta", 0xff00ff},
-                                                                    {"fuchsia", 0xff00ff}}};
-  for (const auto& [name, value] : kNames)
-    if (color == name) return value;
+  const auto open = color.find('(');
+  if (open != std::string::npos && color.ends_with(')')) {
+    const std::string_view name = trimmed(std::string_view(color).substr(0, open));
+    const bool rgb = name == "rgb" || name == "rgba", hsl = name == "hsl" || name == "hsla";
+    if (!rgb && !hsl) return {};
+    return parse_function(hsl, std::string_view(color).substr(open + 1, color.size() - open - 2));
+  }
+  const std::optional<int> named = named_color(color);
+  return named ? std::optional(SvgColor{*named}) : std::nullopt;
+}
+
+std::optional<double> parse_opacity(std::string_view text) {
+  const std::optional<double> value = color_part(trimmed(text), 1);
+  return value ? std::optional(std::clamp(*value, 0.0, 1.0)) : std::nullopt;
+}
+
+std::optional<double> parse_length(std::string_view text) {
+  constexpr std::array<std::pair<std::string_view, double>, 7> kUnits{
+      {{"px", 1}, {"pt", 96.0 / 72}, {"pc", 16}, {"mm", 96 / 25.4}, {"cm", 960 / 25.4}, {"in", 96}, {"", 1}}};
+  const std::string length = lower(trimmed(text));
+  for (const auto& [unit, size] : kUnits) {
+    if (!length.ends_with(unit)) continue;
+    double value = 0;
+    if (!parse_number(trimmed(std::string_view(length).substr(0, length.size() - unit.size())), value)) return {};
+    return std::isfinite(value) ? std::optional(value * size) : std::nullopt;
+  }
   return {};
 }
 

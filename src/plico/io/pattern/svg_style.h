@@ -15,16 +15,43 @@ using SvgStyle = std::map<std::string, std::string, std::less<>>;  // property -
 // "stroke:#f00; opacity:.5" as properties.
 SvgStyle parse_declarations(std::string_view text);
 
-// Rules of a style sheet whose selectors are ".class", "element", "element.class" or "*", by selector; others are
-// skipped.
-std::map<std::string, SvgStyle, std::less<>> parse_style_sheet(std::string_view text);
+// The rules of a style sheet. Selectors are one element with any of its name, id and classes ("path", ".cut", "#rim",
+// "line.m.thick", "*"); of one inside others ("g .cut") the last counts; those with anything else are left out.
+class SvgRules {
+ public:
+  void add(std::string_view text);
+  // What the rules say about an element, from the general to the special, the later above the earlier.
+  SvgStyle style_of(std::string_view element, std::string_view id, std::string_view classes) const;
 
-// 0xrrggbb of #rgb, #rrggbb, rgb(r, g, b) or one of the six names that matter here; nothing for others.
-std::optional<int> parse_color(std::string_view text);
+ private:
+  struct Rule {
+    std::string element, id;  // empty: any
+    std::vector<std::string> classes;
+    SvgStyle style;
+    int weight() const { return 10000 * !id.empty() + 100 * static_cast<int>(classes.size()) + !element.empty(); }
+  };
+  void add_rule(std::string_view selector, const SvgStyle& style);
+  std::vector<Rule> rules_;
+};
+
+struct SvgColor {
+  int rgb = 0;       // 0xrrggbb
+  double alpha = 1;  // in [0, 1]
+};
+
+// #rgb, #rrggbb, both with alpha, rgb(), rgba(), hsl(), hsla() with commas or blanks, and the names of CSS that
+// somebody might draw lines with; nothing for others.
+std::optional<SvgColor> parse_color(std::string_view text);
+
+// "0.5", " 50% ": in [0, 1] or cut to it; nothing when it is no number.
+std::optional<double> parse_opacity(std::string_view text);
 
 // The numbers of a list separated by blanks, commas or signs, as SVG packs them; false when something else stands
 // there.
 bool parse_number_list(std::string_view text, std::vector<double>& numbers);
+
+// A length in user units, of 1/96 in: "12", "3mm"; nothing when it is none, or a percentage.
+std::optional<double> parse_length(std::string_view text);
 
 // translate, scale, rotate, skewX, skewY and matrix, one after the other; nothing when malformed.
 std::optional<Eigen::Affine2d> parse_transform(std::string_view text);

@@ -1,5 +1,6 @@
 #include "plico/io/pattern/pattern_file.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -143,7 +144,7 @@ TEST(PatternFile, SvgStrokesHaveOrigamiSimulatorsMeaning) {
                                                R"svg(<line x1="0" y1="10" x2="100" y2="10" stroke="#f00" opacity="0.5"/>
 <line x1="0" y1="20" x2="100" y2="20" style="stroke: #0000FF; stroke-opacity: 0.25"/>
 <path d="M0 30H100" stroke="yellow"/><path d="m0,40l100-0" stroke="rgb(255,0,255)"/>
-<polyline points="0,50 100,50" stroke="lime"/><line x1="0" y1="60" x2="100" y2="60" stroke="green"/>)svg"),
+<polyline points="0,50 100,50" stroke="lime"/><line x1="0" y1="60" x2="100" y2="60" stroke="gray"/>)svg"),
                                            "a.svg");
   const CreasePattern& sheet = pattern.file.net.sheet;
   EXPECT_EQ(sheet.num_faces(), 6);
@@ -195,10 +196,12 @@ TEST(PatternFile, SvgIsWrittenToTheSameSheet) {
 
 TEST(PatternFile, SvgErrorsNameFileAndLine) {
   const auto code = [](const std::string& body) { return refusal(svg(kFrame + body), "a.svg").code; };
-  EXPECT_EQ(code("<path d='M0 0C1 1 2 2 3 3' stroke='red'/>"), "svg/curve");
-  EXPECT_EQ(refusal(svg(std::string(kFrame) + "<circle r='3' stroke='red'/>"), "a.svg").where, "a.svg:3");
-  EXPECT_NE(refusal(svg("<circle r='3' stroke='red'/>"), "a.svg").suggestion, "");
-  EXPECT_EQ(code("<rect rx='3' stroke='red'/>"), "svg/curve");
+  EXPECT_EQ(refusal(svg(std::string(kFrame) + "<circle r='three' stroke='red'/>"), "a.svg").where, "a.svg:3");
+  EXPECT_EQ(code("<path d='M0 0C1 1 2 2 3' stroke='red'/>"), "svg/path");
+  EXPECT_EQ(code("<path d='M0 0a3 3 0 2 0 1 1' stroke='red'/>"), "svg/path");
+  EXPECT_EQ(code("<rect width='-3' stroke='red'/>"), "svg/number");
+  EXPECT_EQ(code("<use href='#nothing'/>"), "svg/use");
+  EXPECT_EQ(code("<g id='a'><use href='#a'/></g>"), "read/xml");
   EXPECT_EQ(code("<path d='M0 0L1' stroke='red'/>"), "svg/path");
   EXPECT_EQ(code("<path d='M0 0?1 1' stroke='red'/>"), "svg/path");
   EXPECT_EQ(code("<line x1='two' stroke='red'/>"), "svg/number");
@@ -209,6 +212,62 @@ TEST(PatternFile, SvgErrorsNameFileAndLine) {
   EXPECT_EQ(refusal(svg("<text>hello</text>"), "a.svg").code, "svg/no-creases");
   EXPECT_EQ(refusal("<svg><g></svg>", "a.svg").code, "read/xml");
   EXPECT_EQ(refusal("<!DOCTYPE s [<!ENTITY a 'b'>]><svg>&a;</svg>", "a.svg").code, "svg/no-creases");
+}
+
+// Of the framed square, the letters of the edges that are not its border.
+std::string letters_of(const std::string& stroke) {
+  const std::string line = "<line y1='50' x2='100' y2='50' " + stroke + "/>";
+  std::string letters;
+  for (const Crease& e : read_svg_pattern(svg(kFrame + line)).sheet.edges)
+    if (e.assignment != Assignment::Boundary) letters += static_cast<char>(e.assignment);
+  return letters;
+}
+
+TEST(PatternFile, SvgColoursMayBeWrittenInAnyWay) {
+  for (const char* red : {"#F00", "#ff0000ff", "Red", "rgb(255,0,0)", "rgb(100% 0% 0% / 1)", "hsl(0,100%,50%)",
+                          "hsl(360deg 100% 50%)", " red ", "#ED1C24", "crimson"})
+    EXPECT_EQ(letters_of(fmt::format("stroke='{}'", red)), "M") << red;
+  for (const char* blue : {"blue", "hsl(240, 100%, 50%)", "#2E3192", "rgba(0,0,255,.5)"})
+    EXPECT_EQ(letters_of(fmt::format("stroke='{}'", blue)), "V") << blue;
+  EXPECT_EQ(letters_of("stroke='green'"), "C");
+  EXPECT_EQ(letters_of("color='blue' stroke='currentColor'"), "V");
+  for (const char* other : {"orange", "cyan", "gray", "none", "#12", "hsl(1,2)"})
+    EXPECT_EQ(letters_of(fmt::format("stroke='{}'", other)), "") << other;
+}
+
+double angle_of(const std::string& stroke) {
+  const std::string line = "<g opacity='0.5'><line y1='50' x2='100' y2='50' stroke='blue' " + stroke + "/></g>";
+  double angle = 0;
+  for (const Crease& e : read_svg_pattern(svg(kFrame + line)).sheet.edges) angle = std::max(angle, e.fold_angle);
+  return degrees(angle);
+}
+
+TEST(PatternFile, SvgOpacityIsTheFoldAngleAsOrigamiSimulatorReadsIt) {
+  EXPECT_DOUBLE_EQ(angle_of("opacity='1'"), 90);
+  EXPECT_DOUBLE_EQ(angle_of("opacity=' 0.50'"), 45);
+  EXPECT_DOUBLE_EQ(angle_of("style='opacity : 50% '"), 45);
+  EXPECT_DOUBLE_EQ(angle_of("stroke-opacity='.5'"), 45);
+  EXPECT_DOUBLE_EQ(angle_of("opacity='.5' style='stroke:blue'"), 45);
+}
+
+TEST(PatternFile, SvgCurvesBecomeCreasesAndTheNoteSaysHowMany) {
+  const std::string drawing = svg(kFrame + std::string("<path d='M0 50C 25 0 75 100 100 50' stroke='red'/>"));
+  const ImportedPattern coarse = read_svg_pattern(drawing), fine = read_svg_pattern(drawing, "a", {.flatten = 0.01});
+  EXPECT_THAT(coarse.notes, Contains(HasSubstr("1 curve became 22 straight lines, no farther than 0.25 from it")));
+  EXPECT_EQ(count(coarse.sheet, Assignment::Mountain), 22);
+  EXPECT_EQ(coarse.sheet.num_faces(), 2);
+  EXPECT_GT(count(fine.sheet, Assignment::Mountain), 60);
+}
+
+TEST(PatternFile, SvgElementsAreDrawnWhereTheyAreUsed) {
+  const std::string text = svg(kFrame + std::string(R"svg(<style>@import "a.css"; #cut line, .x { stroke : lime }
+g > .x.m { stroke: red !important } .m { stroke: yellow }</style>
+<defs><line id="fold" class="m x" x2="100"/></defs><symbol id="cut"><path d="M0 0H100" stroke="blue"/></symbol>
+<g><use href="#fold" y="25"/><use xlink:href="#fold" transform="translate(0 50)"/></g><use href="#cut" y="75"/>)svg"));
+  const CreasePattern sheet = read_svg_pattern(text).sheet;
+  EXPECT_EQ(sheet.num_faces(), 4);
+  EXPECT_EQ(count(sheet, Assignment::Mountain), 2);
+  EXPECT_EQ(count(sheet, Assignment::Valley), 1);
 }
 
 TEST(PatternFile, WrongNamesGetAHint) {

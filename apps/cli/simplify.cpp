@@ -1,0 +1,67 @@
+// plico simplify: fewer faces, and how far the shape strays.
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "commands.h"
+#include "plico/base/error.h"
+#include "plico/io/mesh/mesh_file.h"
+#include "plico/mesh/measures.h"
+#include "plico/workflow/simplify_mesh.h"
+#include "read_mesh.h"
+#include "session.h"
+
+namespace plico::cli {
+namespace {
+
+struct SimplifyArgs {
+  std::string mesh, repair = "safe";
+  SimplifyOptions options = kept_sharp(300);
+};
+
+MeshFormat mesh_format_to_write(const std::string& path) {
+  if (path == "-") return MeshFormat::Obj;
+  if (const auto format = mesh_format_of(path)) return *format;
+  throw InvalidOption(fmt::format("{} does not end in .obj, .off, .stl or .ply", path));
+}
+
+int simplify_file(const SimplifyArgs& args, Session& session) {
+  check(args.options);
+  const std::vector<std::string> outputs = session.outputs("simple.obj");
+  for (const std::string& path : outputs) mesh_format_to_write(path);
+  const Mesh mesh = read_mesh(args.mesh, args.repair, session);
+  const SimplifiedMesh simple = simplify_mesh(mesh, args.options);
+  for (const std::string& path : outputs)
+    session.write(path, write_mesh(simple.mesh.soup(), mesh_format_to_write(path)));
+  const double size = diagonal(mesh), share = size > 0 ? simple.distance / size : 0;
+  session.report()["faces_before"] = simple.faces_before;
+  session.report()["faces"] = simple.mesh.num_faces();
+  session.report()["distance"] = simple.distance;
+  session.report()["distance_in_diagonals"] = share;
+  session.report()["crossings"] = simple.crossings;
+  session.print(
+      fmt::format("faces      {} of {}\ndistance   at most {:.3g} at the vertices, {:.2f} % of the diagonal\n",
+                  simple.mesh.num_faces(), simple.faces_before, simple.distance, 100 * share));
+  for (const std::string& note : simple.notes) session.warn(note);
+  return simple.mesh.num_faces() <= args.options.faces && simple.crossings == 0 ? kDone : kNo;
+}
+
+}  // namespace
+
+Command simplify_command() {
+  auto args = std::make_shared<SimplifyArgs>();
+  Command command("simplify", "Make a mesh with fewer faces, as paper and scissors want it");
+  command.example("plico simplify scan.stl --faces 300 -o small.obj", "300 triangles, and how far they stray")
+      .example("plico simplify scan.stl --faces 300 --evenness 0.03 -o small.obj", "triangles of more even size")
+      .example("plico craft scan.stl --faces 300 -o paper", "the same as a part of the main job")
+      .positional("mesh", "OBJ, OFF, STL or PLY file, closed or open; - for standard input", args->mesh)
+      .option("--faces", "N", "triangles wanted; a closed mesh has an even number", args->options.faces)
+      .option("--evenness", "X", "pull towards triangles of even size against the pull towards the shape",
+              args->options.evenness)
+      .action([args](Session& session) { return simplify_file(*args, session); });
+  add_repair_option(command, args->repair);
+  return command;
+}
+
+}  // namespace plico::cli

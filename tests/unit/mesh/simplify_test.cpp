@@ -1,0 +1,58 @@
+#include "plico/mesh/simplify.h"
+
+#include <gtest/gtest.h>
+
+#include "plico/mesh/measures.h"
+#include "plico/shapes/named_shapes.h"
+#include "plico/shapes/shapes.h"
+
+namespace plico {
+namespace {
+
+// A sheet of n x n squares, each cut in two, wavy when `height` is above 0.
+Mesh sheet(int n, double height) {
+  PolygonSoup soup;
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; j <= n; ++j) soup.points.emplace_back(i, j, height * ((i * j) % 3));
+  const auto id = [&](int i, int j) { return i * (n + 1) + j; };
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      soup.add_face({id(i, j), id(i + 1, j), id(i + 1, j + 1)});
+      soup.add_face({id(i, j), id(i + 1, j + 1), id(i, j + 1)});
+    }
+  return Mesh(soup);
+}
+
+TEST(Simplify, AFlatOpenSheetKeepsItsOutline) {
+  const Mesh mesh = sheet(12, 0), small(simplified(mesh, {.faces = 20, .evenness = 1e-6}));
+  EXPECT_LE(small.num_faces(), 20);
+  EXPECT_NEAR(surface_area(small), 144, 1e-3);
+  EXPECT_LT(vertex_distance(mesh.soup(), small.soup()), 1e-3);
+  EXPECT_EQ(genus(small), genus(mesh));
+}
+
+TEST(Simplify, AWavySheetStaysOnePieceWithOneBoundary) {
+  const Mesh mesh = sheet(15, 0.2), small(simplified(mesh, {.faces = 60}));
+  EXPECT_LE(small.num_faces(), 60);
+  EXPECT_EQ(components(small).count, 1);
+  EXPECT_FALSE(is_closed(small));
+  EXPECT_NEAR(surface_area(small), surface_area(mesh), 0.1 * surface_area(mesh));
+}
+
+TEST(Simplify, SharpEdgesOfASolidStay) {
+  const Mesh mesh(triangulated(make_shape("quad-cube", {.faces = 600})));
+  const Mesh small(simplified(mesh, {.faces = 24, .evenness = 1e-4, .keep_sharp = true}));
+  EXPECT_LE(small.num_faces(), 24);
+  EXPECT_NEAR(volume(small), volume(mesh), 1e-3 * volume(mesh));
+}
+
+TEST(Simplify, DistanceIsThatOfTheFarthestVertex) {
+  PolygonSoup a = cube(), b = cube();
+  EXPECT_EQ(vertex_distance(a, b), 0);
+  const double side = (a.points[a.corners[1]] - a.points[a.corners[0]]).norm();
+  for (Vec3& p : b.points) p *= 2;
+  EXPECT_NEAR(vertex_distance(a, b), side / 2 * std::sqrt(3.0), 1e-12);
+}
+
+}  // namespace
+}  // namespace plico
