@@ -166,7 +166,6 @@ int run_shell(const ShellArgs& args, Session& session) {
   if (judged.verdict.valid())
     for (const std::string& path : outputs) session.write(path, write_obj(shell_objects(parts, judged.shells)));
   print_shells(parts, args, judged, session);
-  if (!judged.verdict.complete) return kInterrupted;
   return judged.verdict.valid() ? Session::exit_code(judged.shells.ending) : kNo;
 }
 

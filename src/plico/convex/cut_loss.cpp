@@ -79,7 +79,7 @@ PlaneFrame frame_of(const Plane& plane, const Vec3& near) {
 
 CutLoss cut_loss(const CutPair& pair, const PlaneFrame& frame) {
   const AboveFrame i = above(pair.first, frame), j = above(pair.second, frame);
-  const double below_i = volume(pair.first) - i.volume, below_j = volume(pair.second) - j.volume;
+  const double below_i = pair.first_volume - i.volume, below_j = pair.second_volume - j.volume;
   const double wi = pair.first_weight, wj = pair.second_weight;
   return {wi * i.volume + wj * below_j, wi * below_i + wj * j.volume, wj * j.moments - wi * i.moments,
           wi * i.hessian - wj * j.hessian};

@@ -10,6 +10,7 @@ struct CutPair {
   const ConvexPolyhedron& first;
   const ConvexPolyhedron& second;
   double first_weight = 1, second_weight = 1;  // of the volume that either loses
+  double first_volume = volume(first), second_volume = volume(second);
 };
 
 // A plane with axes: the points origin + x axes.col(0) + y axes.col(1).

@@ -69,7 +69,8 @@ Plane least_squares_plane(const CutPair& pair, const Overlap& overlap) {
 // The step of least model value g.s + s.H.s / 2 within a ball.
 Vec3 trust_region_step(const Vec3& gradient, const Mat3& hessian, double radius) {
   const Eigen::SelfAdjointEigenSolver<Mat3> eigen(hessian);
-  const Vec3 curvature = eigen.eigenvalues(), slope = eigen.eigenvectors().transpose() * gradient;
+  const Vec3& curvature = eigen.eigenvalues();
+  const Vec3 slope = eigen.eigenvectors().transpose() * gradient;
   const double scale = curvature.cwiseAbs().maxCoeff() + gradient.norm() / radius;
   const auto step = [&](double shift) {
     Vec3 s;
@@ -103,7 +104,7 @@ class CutDescent {
         size_(std::min(half_diagonal(pair.first), half_diagonal(pair.second))),
         scale_(1, 1 / size_, 1 / size_) {}
 
-  Plane from(Plane plane) const {
+  Plane from(const Plane& plane) const {
     PlaneFrame frame = frame_of(plane, center_);
     CutLoss loss = cut_loss(pair_, frame);
     double radius = size_ / 4;
@@ -171,20 +172,27 @@ struct JudgedPlane {
   }
 };
 
+// Pairs of which only one body counts, to see what either loses.
+CutPair only_first(const CutPair& pair) {
+  return {pair.first, pair.second, 1, 0, pair.first_volume, pair.second_volume};
+}
+CutPair only_second(const CutPair& pair) {
+  return {pair.first, pair.second, 0, 1, pair.first_volume, pair.second_volume};
+}
+
 JudgedPlane judged(const CutPair& pair, const CutFloor& floor, const Plane& plane) {
-  const CutPair only_first{pair.first, pair.second, 1, 0}, only_second{pair.first, pair.second, 0, 1};
-  const double first = loss_of(only_first, plane), second = loss_of(only_second, plane);
-  const double missing = std::max(0.0, floor.first - (volume(pair.first) - first)) +
-                         std::max(0.0, floor.second - (volume(pair.second) - second));
+  if (floor.first == 0 && floor.second == 0) return {plane, loss_of(pair, plane), 0};
+  const double first = loss_of(only_first(pair), plane), second = loss_of(only_second(pair), plane);
+  const double missing = std::max(0.0, floor.first - (pair.first_volume - first)) +
+                         std::max(0.0, floor.second - (pair.second_volume - second));
   return {plane, pair.first_weight * first + pair.second_weight * second, missing};
 }
 
 // -1 when the plane leaves the first body less than its floor, 1 when the second, else 0.
 int starved_side(const CutPair& pair, const CutFloor& floor, const Plane& plane) {
   if (floor.first == 0 && floor.second == 0) return 0;
-  const CutPair only_first{pair.first, pair.second, 1, 0}, only_second{pair.first, pair.second, 0, 1};
-  if (volume(pair.first) - loss_of(only_first, plane) < floor.first) return -1;
-  return volume(pair.second) - loss_of(only_second, plane) < floor.second ? 1 : 0;
+  if (pair.first_volume - loss_of(only_first(pair), plane) < floor.first) return -1;
+  return pair.second_volume - loss_of(only_second(pair), plane) < floor.second ? 1 : 0;
 }
 
 // The plane moved along its normal as little as leaves the starved body what its floor asks for.

@@ -149,6 +149,17 @@ class HullBuilder {
         beyond.across[i] = static_cast<int>(triangles_.size()) - 1;
   }
 
+  // The normal of a needle is mostly rounding, or 0. Any plane that holds all points will do for it: that cuts nothing
+  // off.
+  Plane supporting_plane(const HullTriangle& t) const {
+    const Vec3 &a = points_[t.corners[0]], &b = points_[t.corners[1]], &c = points_[t.corners[2]];
+    const double longest2 = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+    Vec3 normal = t.normal.normalized();
+    if (t.normal.norm() > 1e-6 * longest2) return {normal, normal.dot(a)};
+    if (!(std::abs(normal.norm() - 1) < 1e-9)) normal = Vec3::UnitX();
+    return {normal, extent(points_, normal).second};
+  }
+
   ConvexPolyhedron result() const {
     ConvexPolyhedron hull;
     std::map<int, int> renumbered;
@@ -160,8 +171,7 @@ class HullBuilder {
         if (is_new) hull.points.push_back(points_[v]);
         facet.corners.push_back(it->second);
       }
-      const Vec3 normal = t.normal.normalized();
-      facet.plane = {normal, normal.dot(points_[t.corners[0]])};
+      facet.plane = supporting_plane(t);
       hull.facets.push_back(std::move(facet));
     }
     return hull;

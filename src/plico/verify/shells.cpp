@@ -37,7 +37,9 @@ HalfSpaces half_spaces(const PolygonSoup& surface) {
     const auto c = surface.face(f);
     const Vec3& a = surface.points[c[0]];
     const Vec3 normal = (surface.points[c[1]] - a).cross(surface.points[c[2]] - a);
-    if (normal.norm() > 0) result.planes.push_back({normal.normalized(), normal.normalized().dot(a)});
+    // Through the farthest point: the same plane, but for needles, whose normals are mostly rounding.
+    const Vec3 unit = normal.normalized();
+    if (normal.norm() > 0) result.planes.push_back({unit, extent(surface.points, unit).second});
   }
   return result;
 }

@@ -11,7 +11,7 @@ namespace plico {
 
 struct JudgedShells {
   Shells shells;
-  ShellsVerdict verdict;  // judged without a time limit, so always to the end unless somebody stopped it
+  ShellsVerdict verdict;  // judged to the end, even when the search was stopped
 };
 
 // disjoint_shells(), then verify_shells() on its triangles, planes, contacts and loss.

@@ -97,6 +97,23 @@ TEST(UnionVolume, CountsWhatIsSharedOnce) {
   EXPECT_NEAR(volume(intersection(cubes[0], cubes[1], 0)), 1, 1e-14);
 }
 
+// Three points on a line but for rounding make a triangle without area, whose plane must not part anything.
+TEST(UnionVolume, IsNotMisledByNeedles) {
+  std::vector<ConvexPolyhedron> pair;
+  for (int k = 0; k < 2; ++k) {
+    std::vector<Vec3> points;
+    for (int x = 0; x < 4; ++x)
+      for (int y = 0; y < 4; ++y)
+        for (int z = 0; z < 4; ++z) points.emplace_back(0.1 * (x + k), 0.1 * y, 0.1 * (z + y));
+    pair.push_back(convex_hull(points));
+  }
+  EXPECT_NEAR(volume(pair[0]), 0.027, 1e-14);
+  EXPECT_NEAR(union_volume(pair), 0.036, 1e-14);
+  EXPECT_NEAR(volume(intersection(pair[0], pair[1], 0)), 0.018, 1e-14);
+  for (const auto& facet : pair[0].facets)
+    for (const Vec3& p : pair[0].points) EXPECT_LT(facet.plane.height(p), 1e-15);
+}
+
 TEST(SeparatingPlane, IsFoundExactlyWhenBodiesAreApart) {
   const ConvexPolyhedron cube = box({0, 0, 0}, {1, 1, 1});
   EXPECT_TRUE(separating_plane(cube, box({1, 0, 0}, {2, 1, 1}), 0));  // touching
