@@ -50,7 +50,8 @@ void say_voxels(const Session& session, const VoxelMesh& voxels, const JudgedCyc
     session.print(
         fmt::format("cycle      through every square once, {}\n", cycle.verdict.valid() ? "verified" : "NOT verified"));
   else
-    session.print(fmt::format("cycle      none found, {} cycles are left; finer voxels may help\n", cycle.found.left));
+    session.print(
+        fmt::format("cycle      none found, {} cycles are left; --refine 2 makes sure of one\n", cycle.found.left));
   for (const std::string& note : voxels.notes) session.warn(note);
   for (const std::string& problem : cycle.verdict.problems) session.warn(problem);
 }
@@ -83,6 +84,8 @@ Command voxelize_command() {
       .option("--cells", "N", "voxels along the longest side, not necessarily whole", args->resolution.cells)
       .option("--size", "X", "side of a voxel, in the mesh's unit", args->resolution.size)
       .option("--squares", "N", "search for the resolution with this many squares", args->resolution.squares)
+      .option("--refine", "N", "then cut every voxel into N x N x N; with an even N a walk is certain",
+              args->resolution.refine)
       .choice("--pair", "which squares are joined where four meet: those of one solid or of one empty voxel",
               args->pair, {"solid", "empty"})
       .action([args](Session& session) { return voxelize_file(*args, session); });

@@ -171,6 +171,17 @@ std::array<Vec3, 4> corners_of(const ShellSquare& square) {
   return corners;
 }
 
+VoxelGrid refined(const VoxelGrid& grid, int factor) {
+  const long most = VoxelGrid::kMostVoxels / std::max({1, grid.nx(), grid.ny(), grid.nz()});
+  require(factor >= 1 && factor <= most, "refine", factor, fmt::format("in [1, {}]", most));
+  VoxelGrid fine(grid.nx() * factor, grid.ny() * factor, grid.nz() * factor);
+  for (int z = 0; z < fine.nz(); ++z)
+    for (int y = 0; y < fine.ny(); ++y)
+      for (int x = 0; x < fine.nx(); ++x)
+        if (grid.solid({x / factor, y / factor, z / factor})) fine.fill({x, y, z});
+  return fine;
+}
+
 VoxelShell shell_of(const VoxelGrid& grid, Pairing pairing) { return ShellBuilder(grid, pairing).run(); }
 
 std::vector<VoxelShell> pieces_of(const VoxelShell& shell) {

@@ -46,6 +46,10 @@ class VoxelGrid {
   std::vector<char> solid_;
 };
 
+// Every voxel cut into factor x factor x factor voxels. The shell of an even factor always has a Hamiltonian cycle.
+// Throws InvalidOption when the factor is below 1 or the grid does not fit. O(voxels).
+VoxelGrid refined(const VoxelGrid& grid, int factor);
+
 // Where four squares meet in an edge, two pairs of them are joined: those of the same solid voxel, or those of the same
 // empty voxel. Either way the shell stays a manifold (R13).
 enum class Pairing { Solid, Empty };

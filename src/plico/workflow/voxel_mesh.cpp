@@ -26,12 +26,21 @@ VoxelGrid behind(const VoxelGrid& all, const VoxelShell& piece) {
   return grid;
 }
 
+void refine(Voxelization& solid, int factor) {
+  solid.grid = refined(solid.grid, factor);
+  const long each = static_cast<long>(factor) * factor * factor;
+  solid.side /= factor;
+  solid.touched *= each;
+  solid.filled *= each;
+}
+
 }  // namespace
 
 VoxelMesh voxel_mesh(const PolygonSoup& soup, const Resolution& resolution, Pairing pairing) {
   VoxelMesh result;
   result.pairing = pairing;
   result.solid = voxelize(soup, cells_of(soup, resolution));
+  refine(result.solid, resolution.refine);
   const std::vector<VoxelShell> pieces = pieces_of(shell_of(result.solid.grid, pairing));
   for (std::size_t i = 1; i < pieces.size(); ++i) result.other_pieces.push_back(pieces[i].size());
   if (pieces.size() > 1) {

@@ -12,11 +12,12 @@
 
 namespace plico {
 
-// How fine: exactly one of the three is above 0.
+// How fine: exactly one of the first three is above 0.
 struct Resolution {
   double cells = 0;  // voxels along the longest side
   double size = 0;   // side of a voxel, the mesh's unit
   int squares = 0;   // of the shell, or as near as it gets
+  int refine = 1;    // then every voxel is cut into refine x refine x refine; with 2 a cycle is certain
 };
 
 struct VoxelMesh {

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 
 #include "plico/base/error.h"
+#include "plico/base/rng.h"
 #include "plico/mesh/measures.h"
 #include "plico/shapes/named_shapes.h"
 #include "plico/stack/chain.h"
@@ -98,6 +100,30 @@ TEST(HamiltonianCycle, WhereFourSquaresMeetThePairingDecides) {
     const CycleResult found = find_hamiltonian_cycle(shell);
     ASSERT_EQ(found.ending, Ending::Found);
     EXPECT_TRUE(verify_shell_cycle(grid, pairing, in_order(shell, found.cycle)).valid());
+  }
+}
+
+// Voxels grown one beside another, so that the shell is often in one piece with edges of four squares.
+VoxelGrid random_solid(Rng rng, int count) {
+  std::vector<Voxel> grown{{4, 4, 4}};
+  while (static_cast<int>(grown.size()) < count) {
+    const Voxel& from = grown[rng.below(static_cast<int>(grown.size()))];
+    const Voxel next = beside(from, static_cast<Axis>(rng.below(6)));
+    if (std::min({next.x, next.y, next.z}) >= 0 && std::max({next.x, next.y, next.z}) < 8) grown.push_back(next);
+  }
+  return voxels(grown);
+}
+
+TEST(HamiltonianCycle, VoxelsCutIntoEightHaveOneThatIsFoundWithoutATry) {
+  for (int i = 0; i < 40; ++i) {
+    const VoxelGrid fine = refined(random_solid(Rng(1).stream(i), 3 + 2 * i), 2);
+    const Pairing pairing = i % 2 ? Pairing::Solid : Pairing::Empty;
+    const VoxelShell shell = shell_of(fine, pairing);
+    if (pieces_of(shell).size() > 1) continue;
+    const CycleResult found = find_hamiltonian_cycle(shell);
+    ASSERT_EQ(found.ending, Ending::Found) << i;
+    EXPECT_EQ(found.tries, 0) << i;
+    EXPECT_TRUE(verify_shell_cycle(fine, pairing, in_order(shell, found.cycle)).valid()) << i;
   }
 }
 
