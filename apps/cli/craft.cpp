@@ -38,7 +38,7 @@ CraftOptions craft_options(const CraftArgs& args, Session& session) {
 }
 
 std::string motion_text(const CraftResult& result) {
-  if (!result.motion) return "none is needed";
+  if (!result.motion) return "none: " + result.why_no_motion;
   const PathProof& proof = result.motion->proof;
   if (result.proven()) return fmt::format("{}, proven free of collision at every moment", result.motion_kind);
   if (proof.verdict == PathVerdict::Collides)
@@ -47,11 +47,22 @@ std::string motion_text(const CraftResult& result) {
   return fmt::format("{}, not proven", result.motion_kind);
 }
 
+void print_pieces(const Session& session, const SegmentResult& kit) {
+  for (int i = 0; i < kit.parts.num_parts(); ++i) {
+    const ProvenPart& piece = kit.part[i];
+    const std::string motion = !piece.motion     ? "nothing turns"
+                               : !piece.proven() ? fmt::format("{} motion not proven", name(piece.motion->method))
+                                                 : fmt::format("{} motion proven", name(piece.motion->method));
+    session.print(fmt::format("piece {:<4} {} panels, {}\n", kit.parts.names[i], piece.net.sheet.num_faces(), motion));
+  }
+}
+
 void print_result(const Session& session, const std::string& folder, const CraftResult& result) {
   session.print(fmt::format("net        {} panels, {} {}, {}\n", result.verdict.panels, result.verdict.parts,
                             result.verdict.parts == 1 ? "part" : "parts",
                             result.verdict.valid() ? "verified free of overlap" : "NOT verified"));
   session.print(fmt::format("motion     {}\n", motion_text(result)));
+  if (result.kit) print_pieces(session, *result.kit);
   session.print(layout_text(result.layout.report));
   session.print(fmt::format("files      {}: ", folder));
   for (const CraftFile& file : result.files) session.print(fmt::format("{} ", file.name));

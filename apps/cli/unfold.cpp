@@ -20,8 +20,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double kPlanningSeconds = 30;  // for the best net, when none folds by the law asked for
-
 struct UnfoldArgs {
   std::string mesh, method = "search", foldable = "none", optimize = "none", repair = "safe";
   UnfoldOptions options;
@@ -102,6 +100,10 @@ std::string line_about(const UnfoldArgs& args, const Mesh& mesh, const NetAndMot
   if (found.net.ending == Ending::Found)
     return fmt::format("{} faces: one net; {} motion {}", mesh.num_faces(), args.foldable,
                        motion_line(found.net.proof));
+  if (!found.net.crossing.empty())
+    return fmt::format(
+        "one piece cannot fold into a shape that passes through itself (faces {} and {}, {} pairs in all)",
+        found.net.crossing.front().first, found.net.crossing.front().second, found.net.crossing.size());
   std::string text =
       found.net.proven_impossible
           ? fmt::format("no net of this mesh folds by a {} motion: every spanning tree overlaps or collides",
@@ -116,7 +118,7 @@ std::string line_about(const UnfoldArgs& args, const Mesh& mesh, const NetAndMot
 int unfold_foldable(const UnfoldArgs& args, const Mesh& mesh, const std::vector<std::string>& outputs,
                     Session& session) {
   const FoldingLaw law = args.foldable == "uniform" ? FoldingLaw::Uniform : FoldingLaw::Linear;
-  const NetAndMotion found = fold_or_plan(mesh, {.seed = session.seed(), .law = law}, kPlanningSeconds, session.run());
+  const NetAndMotion found = fold_or_plan(mesh, {.seed = session.seed(), .law = law}, session.run());
   const Unfolding net = lay_flat(mesh, found.net.tree);
   const NetVerdict verdict = verify_net(net, mesh);
   json& report = session.report();
@@ -128,6 +130,7 @@ int unfold_foldable(const UnfoldArgs& args, const Mesh& mesh, const std::vector<
   report["overlaps"] = verdict.overlaps.count;
   report["collisions"] = found.net.collisions;
   report["proven_impossible"] = found.net.proven_impossible;
+  report["crossing"] = found.net.crossing;
   FoldFile file = fold_file(mesh, net);
   json provenance = session.provenance();
   if (found.motion) {

@@ -9,8 +9,10 @@
 #include "plico/base/error.h"
 #include "plico/io/pattern/fold.h"
 #include "plico/verify/net.h"
+#include "plico/verify/parts.h"
 #include "plico/verify/path.h"
 #include "plico/workflow/judge_motion.h"
+#include "plico/workflow/parts_file.h"
 #include "plico/workflow/plan_motion.h"
 #include "read_mesh.h"
 #include "read_sheet.h"
@@ -99,6 +101,35 @@ int verify_net_file(const FoldFile& file, const VerifyArgs& args, Session& sessi
   return verdict.valid() ? kDone : kNo;
 }
 
+std::optional<Mesh> mesh_of(const FoldFile& file, const VerifyArgs& args, Session& session) {
+  if (!args.mesh.empty()) return read_mesh(args.mesh, args.repair, session);
+  if (file.folded.empty()) return std::nullopt;
+  return folded_mesh(file);
+}
+
+// Parts claim more than their nets: that they are the mesh, and which edges are glued where.
+int verify_parts_file(const FoldFile& file, const PartsClaim& claim, const VerifyArgs& args, Session& session) {
+  const std::optional<Mesh> mesh = mesh_of(file, args, session);
+  if (!mesh) return verify_net_file(file, args, session);
+  const Run run = session.run();
+  const PartsVerdict verdict = verify_parts(claim, file.net, *mesh, run);
+  report_net(session, verdict.net);
+  json& report = session.report();
+  report["kind"] = "parts";
+  report["named_parts"] = verdict.parts;
+  report["in_one_piece"] = verdict.in_one_piece;
+  report["seam_edges"] = verdict.seam_edges;
+  report["seam_length"] = verdict.seam_length;
+  report["part_defects"] = to_json(verdict.defects);
+  report["valid"] = verdict.valid();
+  session.print(fmt::format("parts      {}, {} with a net in one piece; seams of {}, {:.6g} long\n", verdict.parts,
+                            verdict.in_one_piece, count(verdict.seam_edges, "edge"), verdict.seam_length));
+  session.print(lines_of(verdict.defects));
+  session.print(fmt::format("together   {}\n", verdict.valid() ? "yes" : verdict.net.complete ? "no" : "not finished"));
+  if (!verdict.net.complete && run.over()) return Session::exit_code(run.ending());
+  return verdict.valid() ? kDone : kNo;
+}
+
 // A crease pattern claims to be a flat sheet: no two of its panels overlap.
 int verify_sheet_file(const FoldFile& file, Session& session) {
   const Run run = session.run();
@@ -176,6 +207,8 @@ int verify_file(const VerifyArgs& args, Session& session) {
   const FoldFile file = read_sheet(args.file, session);
   switch (kind(file)) {
     case FoldKind::Net:
+      if (const std::optional<PartsClaim> parts = parts_claim(file))
+        return verify_parts_file(file, *parts, args, session);
       return verify_net_file(file, args, session);
     case FoldKind::CreasePattern:
       if (!args.mesh.empty()) refuse_mesh(args);
@@ -194,6 +227,7 @@ Command verify_command() {
   command.example("plico verify bird.fold bird.obj", "is this a net of this mesh?")
       .example("plico verify bird.fold", "the same, against the folded form in the file")
       .example("plico unfold bird.obj -o - | plico verify - --json", "every figure, for a program")
+      .example("plico verify parts.fold bird.obj", "do these parts make this mesh, with seams numbered alike?")
       .example("plico verify motion.fold --angle-noise 6deg", "is this motion free of collision, and how robust is it?")
       .positional("file", "net, crease pattern or motion: FOLD, .cp, .opx, .ori or SVG", args->file)
       .positional("mesh", "the mesh it was made from; without it, the folded form in the file", args->mesh, false)

@@ -1,4 +1,4 @@
-// One component of a mesh as a mesh of its own.
+// Some faces of a mesh as a mesh of their own.
 #pragma once
 #include <vector>
 
@@ -15,5 +15,9 @@ struct Submesh {
 
 // The faces of component `which`, in order, with all vertices kept. O(n).
 Submesh component(const Mesh& mesh, const Components& components, int which);
+
+// These faces, each at most once, in ascending order, with the vertices they use. Where they meet in a vertex but not
+// around it, each fan gets a vertex of its own, so every set of faces makes a mesh. O(n log n) of the faces.
+Submesh submesh(const Mesh& mesh, std::vector<FaceId> faces);
 
 }  // namespace plico

@@ -25,6 +25,7 @@ namespace og = ompl::geometric;
 
 constexpr int kTriesPerSample = 100;  // for a discrete state that is new and free
 constexpr unsigned kNeighbours = 10;  // of a state of the lazy roadmap
+constexpr long kMostPanels = 10'000'000;
 
 const double* angles(const ob::State* state) { return state->as<ob::RealVectorStateSpace::StateType>()->values; }
 
@@ -42,10 +43,27 @@ std::vector<int> hinge_depths(const Linkage& linkage) {
   return depth;
 }
 
+// Counts the states that are looked at, and finds all of them in collision once there were enough or the run is over:
+// planners ask in long loops between two looks at their terminator.
+class BoundedChecker {
+ public:
+  BoundedChecker(const Linkage& linkage, double clearance, long most, const Run& run)
+      : checker_(linkage, {.clearance = clearance}), most_(most), run_(run) {}
+
+  bool collides(const Configuration& config) { return spent() || (++count_, checker_.collides(config)); }
+  bool spent() const { return count_ >= most_ || run_.over(); }
+  long count() const { return count_; }
+
+ private:
+  CollisionChecker checker_;
+  long most_, count_ = 0;
+  const Run& run_;
+};
+
 // Every fold angle is 0 or its target.
 class DiscreteSampler : public ob::StateSampler {
  public:
-  DiscreteSampler(const ob::StateSpace* space, const Linkage& linkage, CollisionChecker& checker, Rng rng)
+  DiscreteSampler(const ob::StateSpace* space, const Linkage& linkage, BoundedChecker& checker, Rng rng)
       : ob::StateSampler(space),
         goal_(goal(linkage)),
         depth_(hinge_depths(linkage)),
@@ -56,7 +74,7 @@ class DiscreteSampler : public ob::StateSampler {
   void sampleUniform(ob::State* state) override {
     Configuration config;
     bool fresh = false;
-    for (int i = 0; i < kTriesPerSample && !fresh; ++i) {
+    for (int i = 0; i < kTriesPerSample && !fresh && !(i > 0 && checker_.spent()); ++i) {
       config = draw();
       fresh = !checker_.collides(config) && seen_.insert(key(config)).second;
     }
@@ -98,7 +116,7 @@ class DiscreteSampler : public ob::StateSampler {
   std::vector<int> depth_;
   std::set<std::vector<bool>> seen_;
   int deepest_;
-  CollisionChecker& checker_;
+  BoundedChecker& checker_;
   Rng own_;
 };
 
@@ -167,11 +185,18 @@ std::string_view name(Planner planner) {
 void check(const PlannerOptions& options) {
   if (!(options.resolution > 0) || options.resolution > 1)
     throw InvalidOption(fmt::format("resolution = {} must be in (0, 1]", options.resolution));
+  if (options.max_states < 0)
+    throw InvalidOption(fmt::format("max_states = {} must be at least 0", options.max_states));
+}
+
+long most_states(const Linkage& linkage) {
+  return kMostPanels / std::max<long>(1, static_cast<long>(linkage.panels.size()));
 }
 
 PlannedPath plan_path(const Linkage& linkage, const PlannerOptions& options, const Run& run) {
   check(options);
-  CollisionChecker checker(linkage, {.clearance = options.clearance});
+  BoundedChecker checker(linkage, options.clearance, options.max_states > 0 ? options.max_states : most_states(linkage),
+                         run);
   PlannedPath result;
   if (goal(linkage).isZero()) return {Ending::Found, linear_path(linkage), 0};
   if (checker.collides(flat(linkage)) || checker.collides(goal(linkage))) return result;
@@ -186,10 +211,8 @@ PlannedPath plan_path(const Linkage& linkage, const PlannerOptions& options, con
   });
   space->setLongestValidSegmentFraction(options.resolution);
   const auto information = std::make_shared<ob::SpaceInformation>(space);
-  information->setStateValidityChecker([&](const ob::State* state) {
-    ++result.states_checked;
-    return !checker.collides(configuration(state, linkage.num_hinges()));
-  });
+  information->setStateValidityChecker(
+      [&](const ob::State* state) { return !checker.collides(configuration(state, linkage.num_hinges())); });
   information->setup();
 
   ob::ScopedState<> folded(space), unfolded(space);
@@ -200,7 +223,8 @@ PlannedPath plan_path(const Linkage& linkage, const PlannerOptions& options, con
   const ob::PlannerPtr planner = make_planner(options.planner, information);
   planner->setProblemDefinition(problem);
   planner->setup();
-  const ob::PlannerStatus status = planner->solve(ob::PlannerTerminationCondition([&] { return run.over(); }));
+  const ob::PlannerStatus status = planner->solve(ob::PlannerTerminationCondition([&] { return checker.spent(); }));
+  result.states_checked = checker.count();
   if (status != ob::PlannerStatus::EXACT_SOLUTION) {
     result.ending = run.over() ? run.ending() : Ending::Exhausted;
     return result;

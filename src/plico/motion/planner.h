@@ -18,17 +18,21 @@ struct PlannerOptions {
   Planner planner = Planner::LazyPrm;
   double clearance = 0;       // units; 0: 1e-3 of the mean side length
   double resolution = 0.005;  // states along a connection are checked at this fraction of the space's extent, in (0, 1]
+  long max_states = 0;        // checked for collision; 0: most_states() of the linkage; at least 0
 };
 void check(const PlannerOptions& options);  // throws InvalidOption naming field, value and range
+
+// States that place as many panels in all as a planner may by default, 10 million: up to 10 s.
+long most_states(const Linkage& linkage);
 
 struct PlannedPath {
   Ending ending = Ending::Exhausted;
   FoldingPath path;         // Found only: from flat to goal, free at the states that were checked
-  long states_checked = 0;  // for collision
+  long states_checked = 0;  // for collision, samples that were dropped included
 };
 
-// Searches backward, from the folded state, because that end is the narrow one; the path runs from flat to goal. Stops
-// at run's deadline; without one it may run for ever. Samples are folded creases picked at random, evenly, from the
+// Searches backward, from the folded state, because that end is the narrow one; the path runs from flat to goal. Gives
+// up after max_states. Samples are folded creases picked at random, evenly, from the
 // tips of the tree inward, or from its root outward; samples that collide are dropped. Uses OMPL, whose random seed is
 // global to the process.
 PlannedPath plan_path(const Linkage& linkage, const PlannerOptions& options = {}, const Run& run = {});

@@ -13,47 +13,71 @@
 #include "plico/io/page/svg.h"
 #include "plico/io/pattern/fold.h"
 #include "plico/mesh/measures.h"
+#include "plico/segment/given.h"
+#include "plico/workflow/kit_motion.h"
+#include "plico/workflow/parts_file.h"
 
 namespace plico {
 namespace {
-
-constexpr int kMediumMesh = 300;  // faces
 
 std::string_view kind_of(MotionMethod method) {
   return method == MotionMethod::Linear || method == MotionMethod::Uniform ? name(method) : "planned";
 }
 
-void find_motion(const CraftOptions& options, const Run& run, CraftResult& result) {
-  const Linkage linkage = linkage_of(result.net);
-  if (linkage.num_hinges() == 0) return;
-  run.report("planning a motion", 0);
-  MotionOutcome planned =
-      plan_motion(linkage, {.seed = options.unfold.search.seed}, limited(run, options.planning_seconds));
-  result.motion = std::move(planned.motions.front());
+// A mesh in several pieces becomes a kit: every piece has its own net and motion.
+void find_kit(const Mesh& mesh, Segmentation pieces, const CraftOptions& options, const Run& run, CraftResult& result) {
+  run.report("looking for nets that fold", 0);
+  const ProvePartOptions wanted{.seed = options.unfold.search.seed,
+                                .motion = *options.law == FoldingLaw::Uniform ? PartMotion::Uniform : PartMotion::Any};
+  SegmentResult kit = prove_parts(mesh, std::move(pieces), wanted, run);
+  result.ending = kit.ending;
+  result.motion = motion_of_pieces(mesh, kit, run);
+  if (!result.motion) result.why_no_motion = "nothing turns";
+  result.net = kit.net;
+  result.verdict = kit.verdict;
+  result.kit = std::move(kit);
 }
 
-// A net that folds by the law asked for, or else the one that comes closest, replaces the one found without regard to
-// motion.
+// The net that folds, or the one that comes closest, replaces the one found without regard to motion.
 void find_net_that_folds(const Mesh& mesh, const CraftOptions& options, const Run& run, CraftResult& result) {
   run.report("looking for a net that folds", 0);
-  // Larger meshes pay more for a step: the steps allowed fall with the faces, the time stays about the same.
-  const long steps = options.foldable_steps * kMediumMesh / std::max(mesh.num_faces(), kMediumMesh);
-  NetAndMotion found = fold_or_plan(mesh, {.seed = options.unfold.search.seed, .law = *options.law, .max_steps = steps},
-                                    options.planning_seconds, run);
+  NetAndMotion found = fold_or_plan(mesh, {.seed = options.unfold.search.seed, .law = *options.law}, run);
+  if (!found.net.crossing.empty()) {
+    const auto [a, b] = found.net.crossing.front();
+    result.why_no_motion =
+        fmt::format("one piece cannot fold into a shape that passes through itself (faces {} and {}, {} pairs in all)",
+                    a, b, found.net.crossing.size());
+    return;
+  }
   Unfolding net = lay_flat(mesh, found.net.tree);
   NetVerdict verdict = verify_net(net, mesh);
-  // Nets that nearly fold by the law are not always those that a planner can fold: the first net gets its chance.
-  if (verdict.parts > 1 || !found.motion || found.motion->proof.verdict != PathVerdict::Free) {
-    find_motion(options, run, result);
-    if (verdict.parts > 1 || result.proven()) return;
+  if (verdict.parts > 1) {  // cut short: the net at hand folds straight, or not at all
+    const MotionOptions straight{.seed = options.unfold.search.seed, .may_search = false};
+    result.motion = std::move(plan_motion(linkage_of(result.net), straight, run).motions.front());
+    return;
   }
   result.net = std::move(net);
   result.verdict = std::move(verdict);
   result.motion = std::move(found.motion);
 }
 
+void find_net(const Mesh& mesh, const CraftOptions& options, const Run& run, CraftResult& result) {
+  UnfoldOutcome unfolded = unfold_mesh(mesh, options.unfold, run);
+  result.ending = unfolded.ending;
+  result.net = std::move(unfolded.unfolding);
+  result.verdict = std::move(unfolded.verdict);
+  if (!options.law)
+    result.why_no_motion = "none was asked for";
+  else if (mesh.num_faces() == 1)
+    result.why_no_motion = "one panel needs none";
+  else if (result.verdict.parts > 1)
+    result.why_no_motion = "there is no net in one piece";
+  else
+    find_net_that_folds(mesh, options, run, result);
+}
+
 std::string fold_text(const Mesh& mesh, const CraftOptions& options, const CraftResult& result) {
-  FoldFile file = fold_file(mesh, result.net);
+  FoldFile file = result.kit ? parts_file(mesh, *result.kit) : fold_file(mesh, result.net);
   file.report = options.made_by;
   if (result.motion) set_path(file, linkage_of(result.net), result.motion->path);
   return write_fold(file);
@@ -108,14 +132,11 @@ void add_pages(const CraftOptions& options, CraftResult& result) {
 
 CraftResult craft(const Mesh& mesh, const CraftOptions& options, const Run& run) {
   CraftResult result;
-  UnfoldOutcome unfolded = unfold_mesh(mesh, options.unfold, run);
-  result.ending = unfolded.ending;
-  result.net = std::move(unfolded.unfolding);
-  result.verdict = std::move(unfolded.verdict);
-  if (options.law && result.verdict.parts == 1 && mesh.num_faces() > 1)
-    find_net_that_folds(mesh, options, run, result);
+  Segmentation pieces = by_components(mesh);
+  if (options.law && pieces.num_parts() > 1)
+    find_kit(mesh, std::move(pieces), options, run, result);
   else
-    find_motion(options, run, result);
+    find_net(mesh, options, run, result);
   if (result.motion && !result.proven() && run.over()) result.ending = run.ending();
   if (result.motion) result.motion_kind = kind_of(result.motion->method);
   run.report("laying out pages", 0);
@@ -148,10 +169,13 @@ nlohmann::json craft_report(const Mesh& mesh, const CraftResult& result) {
       {"seams_without_tab", layout.tabs.omitted + layout.tabs.short_seams},
       {"pages_verified", result.layout_verdict.sound()},
   };
+  if (result.kit) report["pieces"] = parts_json(mesh, *result.kit);
   if (result.motion)
     report["motion"] = {{"kind", result.motion_kind},
                         {"verdict", name(result.motion->proof.verdict)},
                         {"waypoints", result.motion->path.waypoints.size()}};
+  else
+    report["no_motion"] = result.why_no_motion;
   return report;
 }
 

@@ -11,6 +11,7 @@
 #include "plico/verify/page_layout.h"
 #include "plico/workflow/foldable_net.h"
 #include "plico/workflow/plan_motion.h"
+#include "plico/workflow/segment_mesh.h"
 #include "plico/workflow/unfold_mesh.h"
 
 namespace plico {
@@ -18,12 +19,9 @@ namespace plico {
 struct CraftOptions {
   std::string name = "model";  // of the model: titles and file names
   std::string made_by;         // a JSON object for the key plico:report of the FOLD file; may be empty
-  // A net that folds with all creases moving by this law is looked for, trying at most this many branches from each
-  // start (for meshes of up to 300 faces, fewer for larger ones; a count, so that the same seed gives the same files).
-  // When none is found, or none is wanted, a motion is planned for the net at hand.
+  // A net that folds with all creases moving by this law is looked for, else one with any motion, as fold_or_plan()
+  // does. None: any net, and no motion is looked for.
   std::optional<FoldingLaw> law = FoldingLaw::Linear;
-  long foldable_steps = 60'000;
-  double planning_seconds = 10;
   UnfoldOptions unfold;
   LayoutOptions layout;
   DrawOptions draw;
@@ -39,8 +37,10 @@ struct CraftResult {
   Ending ending = Ending::Exhausted;
   Unfolding net;
   NetVerdict verdict;
-  std::optional<Motion> motion;  // the best that was found, proven or not; none for a net of one panel
-  std::string motion_kind;       // "linear", "uniform", "planned"; empty without a motion
+  std::optional<SegmentResult> kit;  // of a mesh in several pieces that are to fold: each with its own net and motion
+  std::optional<Motion> motion;      // the best that was found, proven or not
+  std::string motion_kind;           // "linear", "uniform", "planned"; empty without a motion
+  std::string why_no_motion;         // empty with one
   LayoutResult layout;
   LayoutVerdict layout_verdict;
   // NAME.pdf, NAME.svg (NAME-1.svg, ... for several pages), NAME.dxf, NAME.fold (with the motion), index.html,

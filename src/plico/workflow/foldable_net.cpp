@@ -125,6 +125,21 @@ bool look_at_all_trees(const Mesh& mesh, const PanelKit& kit, FoldingLaw law, do
   return any_clear || !trees.complete;
 }
 
+// Faces that penetrate each other in the mesh itself. Neighbours do not count: the hinge of some trees keeps them
+// apart.
+std::vector<std::pair<int, int>> crossing_faces(const Mesh& mesh, double clearance) {
+  const FoldForest any = lightest_forest(mesh, std::vector<double>(mesh.num_edges(), 1));
+  const Linkage linkage = linkage_of(lay_flat(mesh, any));
+  std::vector<std::pair<int, int>> pairs;
+  for (const PanelPair& pair : CollisionChecker(linkage, {.clearance = clearance}).collisions(goal(linkage))) {
+    bool neighbours = false;
+    for (HalfedgeId h : mesh.halfedges(FaceId(pair.a)))
+      neighbours = neighbours || (mesh.twin(h).valid() && mesh.face(mesh.twin(h)) == FaceId(pair.b));
+    if (!neighbours) pairs.emplace_back(pair.a, pair.b);
+  }
+  return pairs;
+}
+
 // The planner gets the rest of the time.
 Run leaving_a_quarter(const Run& run) {
   const std::chrono::duration<double> left = *run.deadline - Run::Clock::now();
@@ -145,6 +160,15 @@ FoldableNet find_foldable_net(const Mesh& mesh, const FoldableNetOptions& option
                        fmt::format("the mesh has {} components, a foldable net needs one", components(mesh).count), {},
                        "plico unfold --foldable none");
   const PanelKit kit = kit_of(mesh);
+  const double clearance = options.clearance > 0 ? options.clearance : default_clearance_of(kit);
+  FoldableNet result;
+  result.crossing = crossing_faces(mesh, clearance);
+  if (!result.crossing.empty()) {
+    result.tree = find_net(mesh, {.seed = options.seed}, run).forest;
+    result.proven_impossible = true;
+    result.path = path_by(options.law, linkage_of(lay_flat(mesh, result.tree)));
+    return result;
+  }
   const Rng rng(options.seed);
   // A net to start from, or at least a spanning tree.
   const auto start = [&](int lane) {
@@ -153,39 +177,39 @@ FoldableNet find_foldable_net(const Mesh& mesh, const FoldableNetOptions& option
     if (net.parts == 1) return net.forest;
     return lightest_forest(mesh, dual_weights(mesh, Heuristic::MinimumPerimeter, random_direction(own), own));
   };
-  const double clearance = options.clearance > 0 ? options.clearance : default_clearance_of(kit);
   const auto new_cost = [&] { return std::make_unique<SampledCost>(mesh, kit, options, clearance); };
   const auto search = [&](long steps) {
     return find_foldable_net(mesh, start, new_cost, {.seed = options.seed, .max_steps = steps}, run);
   };
   const bool is_small = mesh.num_edges() <= kMostJoints;
   FoldableResult found = search(is_small ? std::min(options.max_steps, kStepsBeforeAllTrees) : options.max_steps);
-  bool impossible = false;
   if (is_small && found.ending == Ending::Exhausted) {
-    impossible = !look_at_all_trees(mesh, kit, options.law, clearance, run, found);
-    if (!impossible && found.ending == Ending::Exhausted && options.max_steps > kStepsBeforeAllTrees)
+    result.proven_impossible = !look_at_all_trees(mesh, kit, options.law, clearance, run, found);
+    if (!result.proven_impossible && found.ending == Ending::Exhausted && options.max_steps > kStepsBeforeAllTrees)
       found = search(options.max_steps);
   }
-  FoldableNet result{found.ending, found.tree, impossible, found.collisions, found.steps, {}, {}};
-  if (found.overlaps > 0) result.tree = find_net(mesh, {.seed = options.seed}, run).forest;
+  result.ending = found.ending;
+  result.tree = found.overlaps > 0 ? find_net(mesh, {.seed = options.seed}, run).forest : found.tree;
+  result.collisions = found.collisions;
+  result.steps = found.steps;
   const Linkage linkage = linkage_of(lay_flat(mesh, result.tree));
   result.path = path_by(options.law, linkage);
   if (found.ending == Ending::Found) result.proof = prove_path(linkage, result.path, {.clearance = clearance});
   return result;
 }
 
-NetAndMotion fold_or_plan(const Mesh& mesh, const FoldableNetOptions& options, double planning_seconds,
-                          const Run& run) {
+NetAndMotion fold_or_plan(const Mesh& mesh, const FoldableNetOptions& options, const Run& run) {
   NetAndMotion result{find_foldable_net(mesh, options, run.deadline ? leaving_a_quarter(run) : run), {}};
   const Linkage linkage = linkage_of(lay_flat(mesh, result.net.tree));
-  if (linkage.num_hinges() == 0) return result;
+  const bool one_piece = linkage.num_hinges() == static_cast<int>(linkage.panels.size()) - 1;
+  if (linkage.num_hinges() == 0 || !one_piece || !result.net.crossing.empty()) return result;
   if (result.net.ending == Ending::Found) {
     const MotionMethod method = options.law == FoldingLaw::Linear ? MotionMethod::Linear : MotionMethod::Uniform;
     result.motion = Motion{method, result.net.path, result.net.proof};
   } else {
     run.report("planning a motion", 0);
     const MotionOptions planning{.seed = options.seed, .clearance = options.clearance};
-    result.motion = plan_motion(linkage, planning, limited(run, planning_seconds)).motions.front();
+    result.motion = plan_motion(linkage, planning, run).motions.front();
   }
   return result;
 }

@@ -3,6 +3,8 @@
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "plico/base/run.h"
 #include "plico/fold/folding_path.h"
@@ -18,7 +20,7 @@ struct FoldableNetOptions {
   FoldingLaw law = FoldingLaw::Linear;
   double clearance = 0;  // units; 0: 1e-3 of the mean side length
   int samples = 16;  // of the motion to begin with; more are added where a net that looked free collides; at least 1
-  long max_steps = 50'000'000;  // branches tried from each start
+  long max_steps = 1'500'000;  // branches tried from each start
 };
 
 struct FoldableNet {
@@ -27,10 +29,13 @@ struct FoldableNet {
   // forest of several parts. It never overlaps.
   FoldForest tree;
   bool proven_impossible = false;  // every spanning tree overlaps or collides at a sample of its motion
-  long collisions = 0;             // colliding pairs over the samples that the search had in the end
-  long steps = 0;                  // branches tried
-  FoldingPath path;                // of make_linkage(lay_flat(mesh, tree)), by the law
-  PathProof proof;                 // Free exactly when ending is Found
+  // Pairs of faces that pass through each other in the mesh itself: every motion of one piece ends in their collision,
+  // so nothing was searched.
+  std::vector<std::pair<int, int>> crossing;
+  long collisions = 0;  // colliding pairs over the samples that the search had in the end
+  long steps = 0;       // branches tried
+  FoldingPath path;     // of make_linkage(lay_flat(mesh, tree)), by the law
+  PathProof proof;      // Free exactly when ending is Found
 };
 
 // Meshes of up to kMostJoints edges that resist the search are looked at tree by tree for a while
@@ -38,13 +43,14 @@ struct FoldableNet {
 // InvalidInput.
 FoldableNet find_foldable_net(const Mesh& mesh, const FoldableNetOptions& options = {}, const Run& run = {});
 
-// The net that folds by the law; if the search found none, its best net with the best motion that a planner finds.
+// The net that folds by the law; if the search found none, its best net with the best motion that a planner finds
+// (workflow/plan_motion.h). What is asked for the same mesh and options is answered the same: counts of steps and of
+// states end the searches, never a clock, unless `run` has a deadline.
 struct NetAndMotion {
   FoldableNet net;
-  std::optional<Motion> motion;  // proven or not; none for a single panel
+  std::optional<Motion> motion;  // proven or not; none for a single panel, several parts or a mesh that crosses itself
 };
-NetAndMotion fold_or_plan(const Mesh& mesh, const FoldableNetOptions& options, double planning_seconds,
-                          const Run& run = {});
+NetAndMotion fold_or_plan(const Mesh& mesh, const FoldableNetOptions& options = {}, const Run& run = {});
 
 // The linkage of a net, and its motion by a law.
 Linkage linkage_of(const Unfolding& net);

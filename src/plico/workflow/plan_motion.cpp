@@ -31,7 +31,7 @@ class Planning {
     if (any || options_.method == MotionMethod::Linear) take(MotionMethod::Linear, linear_path(linkage_), run_);
     if (!enough() && (any || options_.method == MotionMethod::Uniform))
       take(MotionMethod::Uniform, uniform_path(linkage_), run_);
-    if (!enough() && (any || wants_a_planner())) search();
+    if (!enough() && (any ? options_.may_search : wants_a_planner())) search();
     if (outcome_.motions.empty()) take(MotionMethod::Linear, linear_path(linkage_), {});
     if (enough())
       outcome_.ending = Ending::Found;
@@ -50,12 +50,15 @@ class Planning {
   void search() {
     const MotionMethod method = options_.method == MotionMethod::Auto ? MotionMethod::LazyPrm : options_.method;
     const Rng rng(options_.seed);
-    for (int i = 0; i < kTriesPerAlternative * options_.alternatives && !enough() && !run_.over(); ++i) {
+    long states = options_.alternatives * most_states(linkage_);  // left to check, in all tries
+    for (int i = 0; i < kTriesPerAlternative * options_.alternatives && states > 0 && !enough() && !run_.over(); ++i) {
       const PlannerOptions planner{.seed = rng.stream(i).next(),
                                    .planner = planner_of(method),
                                    .clearance = options_.clearance,
-                                   .resolution = 0.005 / (1 + i)};
+                                   .resolution = 0.005 / (1 + i),
+                                   .max_states = states};
       const PlannedPath planned = plan_path(linkage_, planner, run_);
+      states -= std::max(1L, planned.states_checked);
       if (planned.ending != Ending::Found) return;
       take(method, planned.path, run_);
       run_.report("planning a motion", i + 1, 0, fmt::format("{} proven", free_));

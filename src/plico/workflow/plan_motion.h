@@ -28,6 +28,8 @@ struct MotionOptions {
   int waypoints = 50;                       // aimed at before those that the gap asks for; at least 1
   bool grouped = false;                     // creases of one group turn together (origami/crease_groups.h)
   std::vector<Configuration> through = {};  // states to be passed in this order, by MD-FROG; each must close
+  // Without:
+  bool may_search = true;  // Auto: false leaves out lazy-prm
 };
 
 struct Motion {

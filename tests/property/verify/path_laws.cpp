@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "effort.h"
 #include "linkage_samples.h"
 #include "plico/motion/collision.h"
 #include "plico/verify/path.h"
@@ -29,7 +30,7 @@ std::optional<double> first_collision(const Linkage& linkage, const FoldingPath&
 
 TEST(PathLaw, TheProofAgreesWithTenThousandSamples) {
   int free = 0, collided = 0;
-  for (int seed = 1; seed <= 300; ++seed) {
+  for (int seed = 1; seed <= num_cases(300); ++seed) {
     SCOPED_TRACE(seed);
     Rng rng(seed);
     const Linkage linkage = make_linkage(random_triangles(4 + rng.below(4), rng.uniform(0.5, 3.1), rng));
@@ -44,8 +45,8 @@ TEST(PathLaw, TheProofAgreesWithTenThousandSamples) {
     }
     (proof.verdict == PathVerdict::Free ? free : collided)++;
   }
-  EXPECT_GT(free, 30);
-  EXPECT_GT(collided, 30);
+  EXPECT_GT(free, num_cases(30));
+  EXPECT_GT(collided, num_cases(30));
 }
 
 }  // namespace

@@ -33,6 +33,13 @@ TEST_P(EveryPlanner, StopsWhenAsked) {
   EXPECT_NE(planned.ending, Ending::TimedOut);
 }
 
+TEST_P(EveryPlanner, GivesUpAfterSoManyStates) {
+  const Linkage linkage = spiral();
+  const PlannedPath planned = plan_path(linkage, {.planner = GetParam(), .max_states = 3});
+  EXPECT_EQ(planned.ending, Ending::Exhausted);
+  EXPECT_EQ(planned.states_checked, 3);
+}
+
 INSTANTIATE_TEST_SUITE_P(Planners, EveryPlanner, testing::Values(Planner::LazyPrm, Planner::Prm, Planner::RrtConnect));
 
 TEST(Planner, KnowsThatACollidingGoalHasNoPath) {
@@ -54,6 +61,7 @@ TEST(Planner, ValidRatioIsOneForAConvexFan) {
 
 TEST(Planner, OptionsAreChecked) {
   EXPECT_THROW(check(PlannerOptions{.resolution = 0}), InvalidOption);
+  EXPECT_THROW(check(PlannerOptions{.max_states = -1}), InvalidOption);
   EXPECT_THROW(valid_ratio(spiral(), 0), InvalidOption);
 }
 

@@ -42,6 +42,26 @@ TEST(FoldableNet, StoppedAtOnceStillHandsOutANetWithoutOverlap) {
   EXPECT_NE(found.proof.verdict, PathVerdict::Free);
 }
 
+// A band of squares whose last one passes through the first.
+Mesh crossing_band() {
+  PolygonSoup band;
+  for (const Vec2& p : {Vec2(0, 0), Vec2(2, 0), Vec2(2, 2), Vec2(1, 2), Vec2(1, -1)})
+    for (int y : {0, 1}) band.points.emplace_back(p.x(), y, p.y());
+  for (int i = 0; i < 4; ++i) band.add_face({2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1});
+  return Mesh(band);
+}
+
+TEST(FoldableNet, AMeshThatPassesThroughItselfIsToldBeforeAnySearch) {
+  const Mesh mesh = crossing_band();
+  const NetAndMotion found = fold_or_plan(mesh);
+  EXPECT_EQ(found.net.ending, Ending::Exhausted);
+  EXPECT_TRUE(found.net.proven_impossible);
+  EXPECT_EQ(found.net.crossing, (std::vector<std::pair<int, int>>{{0, 3}}));
+  EXPECT_EQ(found.net.steps, 0);
+  EXPECT_FALSE(found.motion);
+  EXPECT_TRUE(verify_net(lay_flat(mesh, found.net.tree), mesh).is_net());
+}
+
 TEST(FoldableNet, TwoBodiesAreRefused) {
   PolygonSoup two = bumpy_sphere(0, 0, 1).soup();
   const PolygonSoup one = two;

@@ -1,0 +1,89 @@
+// plico voxelize: the outside of a mesh as equal squares, with a walk that visits each once.
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "commands.h"
+#include "plico/base/error.h"
+#include "plico/io/mesh/mesh_file.h"
+#include "plico/workflow/voxel_mesh.h"
+#include "session.h"
+
+namespace plico::cli {
+namespace {
+
+struct VoxelizeArgs {
+  std::string mesh, pair = "solid";
+  Resolution resolution;
+};
+
+MeshFormat surface_format(const std::string& path) {
+  if (path == "-") return MeshFormat::Obj;
+  if (const auto format = mesh_format_of(path)) return *format;
+  throw InvalidOption(fmt::format("{} does not end in .obj, .off, .stl or .ply", path));
+}
+
+nlohmann::json voxel_report(const VoxelMesh& voxels, const JudgedCycle& cycle) {
+  const VoxelGrid& grid = voxels.solid.grid;
+  return {{"grid", {grid.nx(), grid.ny(), grid.nz()}},
+          {"voxel_side", voxels.solid.side},
+          {"voxels_touched", voxels.solid.touched},
+          {"voxels_solid", grid.count()},
+          {"squares", voxels.shell.size()},
+          {"edges_with_four_squares", voxels.shell.edges_with_four},
+          {"other_pieces", voxels.other_pieces},
+          {"rings", cycle.found.rings},
+          {"cycles_left", cycle.found.left},
+          {"cycle_verified", cycle.found.ending == Ending::Found && cycle.verdict.valid()},
+          {"ending", name(cycle.found.ending)},
+          {"notes", voxels.notes}};
+}
+
+void say_voxels(const Session& session, const VoxelMesh& voxels, const JudgedCycle& cycle) {
+  const VoxelGrid& grid = voxels.solid.grid;
+  session.print(fmt::format("voxels     {} solid of {} x {} x {}, sides {:.4g}\n", grid.count(), grid.nx(), grid.ny(),
+                            grid.nz(), voxels.solid.side));
+  session.print(
+      fmt::format("squares    {}, {} edges with four of them\n", voxels.shell.size(), voxels.shell.edges_with_four));
+  if (cycle.found.ending == Ending::Found)
+    session.print(
+        fmt::format("cycle      through every square once, {}\n", cycle.verdict.valid() ? "verified" : "NOT verified"));
+  else
+    session.print(fmt::format("cycle      none found, {} cycles are left; finer voxels may help\n", cycle.found.left));
+  for (const std::string& note : voxels.notes) session.warn(note);
+  for (const std::string& problem : cycle.verdict.problems) session.warn(problem);
+}
+
+int voxelize_file(const VoxelizeArgs& args, Session& session) {
+  const std::vector<std::string> outputs = session.outputs("");
+  for (const std::string& path : outputs) surface_format(path);
+  const PolygonSoup soup = read_mesh_source(session.read(args.mesh), args.mesh).soup;
+  const Pairing pairing = args.pair == "solid" ? Pairing::Solid : Pairing::Empty;
+  const VoxelMesh voxels = voxel_mesh(soup, args.resolution, pairing);
+  const JudgedCycle cycle = judged_cycle(voxels, {.seed = session.seed()}, session.run());
+  session.report().update(voxel_report(voxels, cycle));
+  say_voxels(session, voxels, cycle);
+  if (!cycle.verdict.valid()) return kInternal;
+  const PolygonSoup surface = surface_of(voxels.shell, voxels.solid.origin, voxels.solid.side);
+  for (const std::string& path : outputs) session.write(path, write_mesh(surface, surface_format(path)));
+  return Session::exit_code(cycle.found.ending);
+}
+
+}  // namespace
+
+Command voxelize_command() {
+  auto args = std::make_shared<VoxelizeArgs>();
+  return Command("voxelize", "The outside of a mesh as equal squares, and a walk that visits each of them once")
+      .example("plico voxelize bird.obj --cells 25 -o squares.obj", "25 voxels along the longest side")
+      .example("plico voxelize bird.obj --squares 2200", "as fine as 2200 squares ask for")
+      .positional("mesh", "OBJ, OFF, STL or PLY file, closed or not; - for standard input", args->mesh)
+      .option("--cells", "N", "voxels along the longest side, not necessarily whole", args->resolution.cells)
+      .option("--size", "X", "side of a voxel, in the mesh's unit", args->resolution.size)
+      .option("--squares", "N", "search for the resolution with this many squares", args->resolution.squares)
+      .choice("--pair", "which squares are joined where four meet: those of one solid or of one empty voxel",
+              args->pair, {"solid", "empty"})
+      .action([args](Session& session) { return voxelize_file(*args, session); });
+}
+
+}  // namespace plico::cli

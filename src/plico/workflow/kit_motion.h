@@ -1,0 +1,16 @@
+// The motions of all pieces of a kit as one motion of the sheet that holds their nets.
+#pragma once
+#include <optional>
+
+#include "plico/mesh/mesh.h"
+#include "plico/workflow/segment_mesh.h"
+
+namespace plico {
+
+// Every piece moves as its own motion says, all at the same time; a piece without one goes straight to its goal. The
+// whole is proven again, as the motion of linkage_of(kit.net): each piece is free of itself, pieces are apart. None
+// when nothing moves. Its method is that of all pieces, or LazyPrm when they differ. O(waypoints * hinges) beside the
+// proof.
+std::optional<Motion> motion_of_pieces(const Mesh& mesh, const SegmentResult& kit, const Run& run = {});
+
+}  // namespace plico

@@ -1,0 +1,41 @@
+// From a mesh to its voxel shell with a proven cycle through all squares.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "plico/base/run.h"
+#include "plico/mesh/soup.h"
+#include "plico/stack/hamiltonian_cycle.h"
+#include "plico/stack/voxelize.h"
+#include "plico/verify/shell_cycle.h"
+
+namespace plico {
+
+// How fine: exactly one of the three is above 0.
+struct Resolution {
+  double cells = 0;  // voxels along the longest side
+  double size = 0;   // side of a voxel, the mesh's unit
+  int squares = 0;   // of the shell, or as near as it gets
+};
+
+struct VoxelMesh {
+  Voxelization solid;  // without what the pieces left out enclose
+  VoxelShell shell;    // the largest piece
+  Pairing pairing = Pairing::Solid;
+  std::vector<int> other_pieces;   // squares of the pieces that are left out
+  std::vector<std::string> notes;  // what the voxels changed about the shape; sentences
+};
+
+// The voxels that the surface touches and encloses, and the largest piece of their boundary. Throws as voxelize(), and
+// InvalidOption unless one resolution is given.
+VoxelMesh voxel_mesh(const PolygonSoup& soup, const Resolution& resolution, Pairing pairing = Pairing::Solid);
+
+// The search for a cycle, and what the judge says about it (no problem, and not judged, when none was found).
+struct JudgedCycle {
+  CycleResult found;
+  CycleVerdict verdict;
+};
+JudgedCycle judged_cycle(const VoxelMesh& voxels, const CycleOptions& options, const Run& run = {});
+
+}  // namespace plico
