@@ -12,6 +12,12 @@
 namespace plico {
 namespace {
 
+PatternFile with_notes(FoldFile file) {
+  std::vector<std::string> notes = std::move(file.notes);
+  file.notes.clear();
+  return {std::move(file), std::move(notes)};
+}
+
 PatternFile drawing(ImportedPattern imported) { return {fold_file(imported.sheet), std::move(imported.notes)}; }
 
 // The name of a mesh where a sheet is wanted: the most common slip.
@@ -24,7 +30,7 @@ PatternFile read_as(std::string_view bytes, PatternFormat format, const std::str
                     const DrawingOptions& options) {
   switch (format) {
     case PatternFormat::Fold:
-      return {read_fold(bytes, name), {}};
+      return with_notes(read_fold(bytes, name));
     case PatternFormat::Cp:
       return drawing(read_cp(bytes, name, options));
     case PatternFormat::Opx:
