@@ -16,6 +16,7 @@ Command fold_command();
 Command verify_command();
 Command origami_make_command();
 Command origami_info_command();
+Command origami_gallery_command();
 Command print_command();
 Command man_command();
 Command completions_command();

@@ -18,7 +18,13 @@ PatternFile with_notes(FoldFile file) {
   return {std::move(file), std::move(notes)};
 }
 
-PatternFile drawing(ImportedPattern imported) { return {fold_file(imported.sheet), std::move(imported.notes)}; }
+PatternFile drawing(ImportedPattern imported) {
+  const std::vector<int> parts = parts_of(imported.sheet);
+  const int sheets = 1 + *std::max_element(parts.begin(), parts.end());
+  if (sheets > 1)
+    imported.notes.push_back(fmt::format("{} separate sheets are drawn: they are folded at the same time", sheets));
+  return {fold_file(imported.sheet), std::move(imported.notes)};
+}
 
 // The name of a mesh where a sheet is wanted: the most common slip.
 bool is_named_as_mesh(const std::string& name) {
