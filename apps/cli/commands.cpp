@@ -21,6 +21,7 @@ std::vector<Command> all_commands() {
       sample_command(),
       origami_make_command(),
       origami_info_command(),
+      origami_gallery_command(),
       verify_command(),
       man_command(),
       completions_command(),

@@ -20,6 +20,7 @@ Command verify_command();
 Command voxelize_command();
 Command origami_make_command();
 Command origami_info_command();
+Command origami_gallery_command();
 Command print_command();
 Command man_command();
 Command completions_command();

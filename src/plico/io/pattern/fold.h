@@ -32,6 +32,8 @@ struct FoldFile {
   // neither our folded form nor our motion, each one JSON object.
   std::vector<std::pair<std::string, std::string>> other;
   std::vector<std::string> other_frames;
+
+  std::vector<std::string> notes;  // what reading assumed, one sentence each; not written
 };
 
 // What a file claims, and so what there is to verify about it.

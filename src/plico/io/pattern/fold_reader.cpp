@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 
 #include "plico/base/error.h"
@@ -159,19 +160,73 @@ std::vector<Frame> frames(const Json& root) {
   return result;
 }
 
-bool is_flat_sheet(const Frame& frame) {
+// The plane of an axis that all points of a sheet lie in; -1 when there is none.
+int plane_of(const Json& coords) {
+  for (std::size_t axis : {2, 1, 0}) {
+    std::optional<double> level;
+    const bool in_plane = std::all_of(coords.begin(), coords.end(), [&](const Json& row) {
+      if (!row.is_array() || (axis == 2 && row.size() < 3)) return true;  // read_net says what is wrong with it
+      if (row.size() < 3 || !row[axis].is_number()) return false;
+      return row[axis].get<double>() == level.emplace(level.value_or(row[axis].get<double>()));
+    });
+    if (in_plane) return static_cast<int>(axis);
+  }
+  return -1;
+}
+
+// The front of a sheet is seen from the positive side of its axis: x to the right, and in the plane of x and z, as
+// Origami Simulator writes it, z towards the reader.
+Vec2 in_plane(const Vec3& p, int axis) {
+  if (axis == 1) return {p.x(), 0.0 - p.z()};
+  return axis == 0 ? Vec2(p.y(), p.z()) : Vec2(p.x(), p.y());
+}
+
+bool has_points(const Frame& frame) {
   const Json* coords = frame.find("vertices_coords");
-  if (!coords || !coords->is_array() || coords->empty()) return false;
-  if (lists(frame.own(), "frame_classes", "foldedForm") && !lists(frame.own(), "frame_classes", "creasePattern"))
-    return false;
-  return std::all_of(coords->begin(), coords->end(), [](const Json& row) {
+  return coords && coords->is_array() && !coords->empty();
+}
+
+bool is_called_folded(const Frame& frame) {
+  return lists(frame.own(), "frame_classes", "foldedForm") && !lists(frame.own(), "frame_classes", "creasePattern");
+}
+
+bool is_flat_sheet(const Frame& frame) {
+  if (!has_points(frame) || is_called_folded(frame)) return false;
+  const Json& coords = *frame.find("vertices_coords");
+  return std::all_of(coords.begin(), coords.end(), [](const Json& row) {
     return !row.is_array() || row.size() < 3 || (row[2].is_number() && row[2].get<double>() == 0);
   });
+}
+
+// No panel lies on its back, as some do in every form that is folded flat.
+bool all_panels_face_one_way(const Frame& frame, int axis) {
+  const std::vector<Vec3> at = points(frame);
+  const Json* faces = frame.array("faces_vertices");
+  if (!faces) return true;
+  int front = 0, back = 0;
+  for (std::size_t f = 0; f < faces->size(); ++f) {
+    std::vector<Vec2> corners;
+    if (!(*faces)[f].is_array()) return false;
+    for (const Json& v : (*faces)[f])
+      corners.push_back(in_plane(at[index(v, static_cast<int>(at.size()), frame, "faces_vertices", f)], axis));
+    const double area = corners.size() < 3 ? 0 : signed_area(corners);
+    front += area > 0, back += area < 0;
+  }
+  return front == 0 || back == 0;
+}
+
+// Called folded, or in another plane, but flat all the same.
+bool is_flat_after_all(const Frame& frame) {
+  if (!has_points(frame)) return false;
+  const int axis = plane_of(*frame.find("vertices_coords"));
+  return axis >= 0 && all_panels_face_one_way(frame, axis);
 }
 
 std::size_t sheet_frame(const std::vector<Frame>& all) {
   const auto at = std::find_if(all.begin(), all.end(), is_flat_sheet);
   if (at != all.end()) return static_cast<std::size_t>(at - all.begin());
+  const auto other = std::find_if(all.begin(), all.end(), is_flat_after_all);
+  if (other != all.end()) return static_cast<std::size_t>(other - all.begin());
   const bool any =
       std::any_of(all.begin(), all.end(), [](const Frame& f) { return f.find("vertices_coords") != nullptr; });
   if (any)
@@ -198,7 +253,9 @@ class SheetReader {
   explicit SheetReader(const Frame& frame) : frame_(frame) {}
 
   CreasePattern read() {
-    for (const Vec3& p : points(frame_)) sheet_.vertices.emplace_back(p.x(), p.y());
+    const Json* coords = frame_.find("vertices_coords");
+    const int axis = coords ? plane_of(*coords) : 2;
+    for (const Vec3& p : points(frame_)) sheet_.vertices.push_back(in_plane(p, axis));
     read_edges();
     read_faces();
     add_missing_edges();
@@ -362,6 +419,24 @@ Unfolding read_net(const Frame& frame) {
   return net;
 }
 
+std::vector<std::string> assumed(const Frame& frame, const CreasePattern& sheet) {
+  std::vector<std::string> notes;
+  if (is_called_folded(frame))
+    notes.emplace_back("the frame is called a folded form but is flat: it was taken for the sheet");
+  const int axis = plane_of(*frame.find("vertices_coords"));
+  if (axis == 0 || axis == 1)
+    notes.push_back(fmt::format("the sheet lies in the plane of {} and was laid into that of x and y",
+                                axis == 0 ? "y and z" : "x and z"));
+  const std::vector<EdgeSides> sides = edge_sides(sheet);
+  int free = 0;
+  for (std::size_t e = 0; e < sides.size(); ++e)
+    free += sheet.edges[e].assignment == Assignment::Unassigned && is_hinge(sheet.edges[e], sides[e]);
+  if (free > 0)
+    notes.push_back(fmt::format("{} crease{} no assignment: {} freely, without a goal", free,
+                                free == 1 ? " has" : "s have", free == 1 ? "it turns" : "they turn"));
+  return notes;
+}
+
 // ---- Folded form and motion --------------------------------------------------------------------------------------
 
 // A frame that says nothing but these keys, about the key frame, is one that we write.
@@ -499,6 +574,7 @@ FoldFile read_fold(std::string_view bytes, const std::string& name) {
   const Frame& frame = all[chosen];
   FoldFile file;
   file.net = read_net(frame);
+  file.notes = assumed(frame, file.net.sheet);
   if (const Json* unit = frame.find("frame_unit"); unit && unit->is_string()) file.unit = unit->get<std::string>();
   if (const Json* report = member(root, "plico:report")) file.report = report->dump();
   if (chosen == 0) {

@@ -12,7 +12,19 @@
 namespace plico {
 namespace {
 
-PatternFile drawing(ImportedPattern imported) { return {fold_file(imported.sheet), std::move(imported.notes)}; }
+PatternFile with_notes(FoldFile file) {
+  std::vector<std::string> notes = std::move(file.notes);
+  file.notes.clear();
+  return {std::move(file), std::move(notes)};
+}
+
+PatternFile drawing(ImportedPattern imported) {
+  const std::vector<int> parts = parts_of(imported.sheet);
+  const int sheets = 1 + *std::max_element(parts.begin(), parts.end());
+  if (sheets > 1)
+    imported.notes.push_back(fmt::format("{} separate sheets are drawn: they are folded at the same time", sheets));
+  return {fold_file(imported.sheet), std::move(imported.notes)};
+}
 
 // The name of a mesh where a sheet is wanted: the most common slip.
 bool is_named_as_mesh(const std::string& name) {
@@ -24,7 +36,7 @@ PatternFile read_as(std::string_view bytes, PatternFormat format, const std::str
                     const DrawingOptions& options) {
   switch (format) {
     case PatternFormat::Fold:
-      return {read_fold(bytes, name), {}};
+      return with_notes(read_fold(bytes, name));
     case PatternFormat::Cp:
       return drawing(read_cp(bytes, name, options));
     case PatternFormat::Opx:

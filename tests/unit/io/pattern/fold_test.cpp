@@ -244,5 +244,28 @@ TEST(Fold, AnglesAreWrittenAsTheyWereRead) {
   }
 }
 
+// A square with a valley on its diagonal; `place` says where (u, v) lies in space.
+std::string folded_square(const std::string& file_class, const std::vector<std::string>& corners) {
+  return R"({"frame_classes":[")" + file_class + R"("],"vertices_coords":[)" + corners[0] + "," + corners[1] + "," +
+         corners[2] + "," + corners[3] + R"(],"edges_vertices":[[0,1],[1,2],[2,3],[3,0],[0,2]],
+    "edges_assignment":["B","B","B","B","V"],"faces_vertices":[[0,1,2],[0,2,3]]})";
+}
+
+TEST(ReadFold, AFlatFrameIsTheSheetWhateverItIsCalledAndInAnyPlane) {
+  const FoldFile called = read_fold(folded_square("foldedForm", {"[0,0,0]", "[2,0,0]", "[2,1,0]", "[0,1,0]"}));
+  EXPECT_EQ(called.net.sheet.num_faces(), 2);
+  EXPECT_EQ(called.notes.size(), 1U);
+  const FoldFile lying = read_fold(folded_square("creasePattern", {"[0,5,0]", "[2,5,0]", "[2,5,-1]", "[0,5,-1]"}));
+  EXPECT_EQ(lying.net.sheet.vertices, called.net.sheet.vertices);
+  EXPECT_EQ(lying.net.sheet.faces, called.net.sheet.faces);
+  const FoldFile upright = read_fold(folded_square("foldedForm", {"[3,0,0]", "[3,2,0]", "[3,2,1]", "[3,0,1]"}));
+  EXPECT_EQ(upright.net.sheet.vertices, called.net.sheet.vertices);
+  EXPECT_EQ(upright.notes.size(), 2U);
+}
+
+TEST(ReadFold, AFormThatIsFoldedFlatIsNoSheet) {
+  EXPECT_THROW(read_fold(folded_square("foldedForm", {"[0,0,0]", "[2,0,0]", "[1,1,0]", "[2,0.5,0]"})), InvalidInput);
+}
+
 }  // namespace
 }  // namespace plico
