@@ -12,6 +12,7 @@ std::vector<Command> all_commands() {
       check_command(),
       unfold_command(),
       segment_command(),
+      inflate_command(),
       export_command(),
       fold_command(),
       print_command(),

@@ -11,6 +11,7 @@ Command info_command();
 Command check_command();
 Command unfold_command();
 Command segment_command();
+Command inflate_command();
 Command sample_command();
 Command export_command();
 Command fold_command();
