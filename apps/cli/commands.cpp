@@ -14,6 +14,7 @@ std::vector<Command> all_commands() {
       unfold_command(),
       segment_command(),
       shell_command(),
+      inflate_command(),
       export_command(),
       fold_command(),
       print_command(),

@@ -13,6 +13,7 @@ Command simplify_command();
 Command unfold_command();
 Command segment_command();
 Command shell_command();
+Command inflate_command();
 Command sample_command();
 Command export_command();
 Command fold_command();

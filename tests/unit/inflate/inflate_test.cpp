@@ -1,0 +1,61 @@
+#include "plico/inflate/inflate.h"
+
+#include <gtest/gtest.h>
+
+#include "plico/base/error.h"
+#include "plico/shapes/creature.h"
+#include "plico/shapes/shapes.h"
+#include "plico/verify/inflation.h"
+
+namespace plico {
+namespace {
+
+Mesh small_bird() { return Mesh(creature({.animal = Animal::Bird, .faces = 100})); }
+
+PolygonSoup with_points(const Mesh& mesh, const std::vector<Vec3>& points) {
+  PolygonSoup soup = mesh.soup();
+  soup.points = points;
+  return soup;
+}
+
+TEST(Inflate, HalfOfTheHyperbolicVerticesGoWithinTheGrowthAllowed) {
+  const Mesh bird = small_bird();
+  const Inflation result = inflate(bird);
+  const InflationVerdict verdict = verify_inflation(bird, with_points(bird, result.points), {}, 0.05);
+  EXPECT_TRUE(verdict.valid());
+  EXPECT_LE(2 * verdict.hyperbolic, verdict.hyperbolic_before);
+}
+
+TEST(Inflate, KeptFacesStayToTheLastBit) {
+  const Mesh bird = small_bird();
+  const std::vector<FaceId> keep{FaceId(3), FaceId(40)};
+  const Inflation result = inflate(bird, {.keep = keep});
+  EXPECT_TRUE(verify_inflation(bird, with_points(bird, result.points), keep, 0.05).valid());
+}
+
+TEST(Inflate, AConvexMeshIsLeftAlone) {
+  const Inflation result = inflate(Mesh(icosahedron()));
+  EXPECT_EQ(result.limit, InflateLimit::Hyperbolic);
+  EXPECT_EQ(result.largest_move(), 0);
+}
+
+TEST(Inflate, StepsOfTimeEndToo) {
+  const Mesh bird = small_bird();
+  const Inflation result = inflate(bird, {.method = InflateMethod::Explicit, .pressure = 0.1, .max_steps = 100});
+  EXPECT_TRUE(verify_inflation(bird, with_points(bird, result.points), {}, 0.05).valid());
+}
+
+TEST(Inflate, AMeshWithABoundaryOrPolygonsIsRefused) {
+  EXPECT_THROW(inflate(Mesh(open_grid(2, 2))), InvalidInput);
+  EXPECT_THROW(inflate(Mesh(cube())), InvalidInput);
+}
+
+TEST(VerifyInflation, AFaceThatTurnedOverIsFound) {
+  const Mesh solid(icosahedron());
+  PolygonSoup bad = solid.soup();
+  bad.points[0] = -bad.points[0];
+  EXPECT_FALSE(verify_inflation(solid, bad, {}, 1).valid());
+}
+
+}  // namespace
+}  // namespace plico
