@@ -19,7 +19,7 @@ namespace plico::cli {
 namespace {
 
 struct FoldArgs {
-  std::string net, planner = "auto", reuse;
+  std::string net, planner = "auto", reuse, facets = "auto";
   std::vector<std::string> through;
   bool grouped = false;
   int alternatives = 1, waypoints = 50;
@@ -55,8 +55,14 @@ MotionOutcome reuse(const FoldFile& file, const MotionOptions& options, const st
 }
 
 MotionOutcome plan(const FoldFile& file, const Linkage& linkage, const FoldArgs& args, Session& session) {
-  MotionOptions options{session.seed(), motion_method(args.planner), args.alternatives, args.clearance, args.waypoints,
-                        args.grouped};
+  MotionOptions options{session.seed(),
+                        motion_method(args.planner),
+                        args.alternatives,
+                        args.clearance,
+                        args.waypoints,
+                        args.grouped,
+                        {},
+                        facet_policy(args.facets)};
   if (linkage.has_loops()) {
     for (const std::string& state : args.through) options.through.push_back(state_of(state, linkage, session));
     if (!args.reuse.empty()) return reuse(file, options, args.reuse, session);
@@ -74,12 +80,18 @@ std::string path_of_alternative(const std::string& path, std::size_t i) {
   return path.substr(0, dot) + fmt::format("-{}", i + 1) + (dot == std::string::npos ? "" : path.substr(dot));
 }
 
+// Of the way to the goal as the file has it, which the planner may have moved a little.
+double share_of_motion(const Linkage& linkage, const MotionOutcome& outcome, std::size_t i) {
+  if (outcome.progress >= 1 || i >= outcome.motions.size()) return outcome.progress;
+  return share_of_way(linkage, outcome.motions[i].path.waypoints.back().config);
+}
+
 void write_motions(Session& session, FoldFile& file, const Linkage& linkage, const MotionOutcome& outcome,
                    const std::vector<std::string>& outputs) {
   for (std::size_t i = 0; i < outcome.motions.size(); ++i) {
     nlohmann::json provenance = session.provenance();
     provenance["motion"] = motion_json(outcome.motions[i].proof);
-    if (linkage.has_loops()) provenance["motion"]["progress"] = outcome.progress;
+    if (linkage.has_loops()) provenance["motion"]["progress"] = share_of_motion(linkage, outcome, i);
     provenance["motion"]["planner"] = name(outcome.motions[i].method);
     file.report = provenance.dump();
     set_path(file, linkage, outcome.motions[i].path);
@@ -89,13 +101,30 @@ void write_motions(Session& session, FoldFile& file, const Linkage& linkage, con
   }
 }
 
+// The sheet whose panels were cut by flat creases takes the place of the given one.
+void take_cut_sheet(FoldFile& file, const CreasePattern& cut) {
+  file.net.sheet = cut;
+  file.net.part = parts_of(cut);
+  file.net.mate.clear();
+}
+
+std::vector<double> in_degrees(std::vector<double> angles) {
+  for (double& angle : angles) angle = degrees(angle);
+  return angles;
+}
+
 int fold_file(const FoldArgs& args, Session& session) {
   motion_method(args.planner);
   const std::vector<std::string> outputs = fold_outputs(session);
   FoldFile file = read_sheet(args.net, session, args.drawing);
   narrow_limits(file.net.sheet, args.max_fold_angle);
-  const Linkage linkage = make_linkage(file.net.sheet, file.net.mate);
+  Linkage linkage = make_linkage(file.net.sheet, file.net.mate);
   const MotionOutcome outcome = plan(file, linkage, args, session);
+  if (outcome.sheet) {
+    take_cut_sheet(file, *outcome.sheet);
+    linkage = make_linkage(file.net.sheet);
+    session.report()["panel_bends_deg"] = in_degrees(outcome.bends);
+  }
   nlohmann::json motions = nlohmann::json::array();
   for (const Motion& motion : outcome.motions) {
     motions.push_back(motion_json(motion.proof));
@@ -107,9 +136,9 @@ int fold_file(const FoldArgs& args, Session& session) {
   }
   for (const std::string& note : outcome.notes) session.say(note);
   if (linkage.has_loops()) {
-    if (outcome.progress < 1)
-      session.say(fmt::format("reached {:.4g} % of the way to the goal", 100 * outcome.progress));
-    session.report()["progress"] = outcome.progress;
+    const double share = share_of_motion(linkage, outcome, 0);
+    if (share < 1) session.say(fmt::format("reached {:.4g} % of the way to the goal", 100 * share));
+    session.report()["progress"] = share;
     for (const std::string& note : outcome.notes) session.report()["notes"].push_back(note);
   }
   session.report()["panels"] = linkage.num_panels();
@@ -148,6 +177,10 @@ Command fold_command() {
           .option("--waypoints", "N",
                   "with loops: waypoints aimed at; more are inserted where hinges would open between them",
                   args->waypoints)
+          .choice(
+              "--facets",
+              "with loops: cut panels by flat creases along which they bend: when whole ones stop early, never, all",
+              args->facets, facet_policies())
           .angle("--max-fold-angle", "largest fold angle that the material allows; the file may limit each crease",
                  args->max_fold_angle)
           .action([args](Session& session) { return fold_file(*args, session); });

@@ -185,6 +185,7 @@ int verify_motion_file(const FoldFile& file, const VerifyArgs& args, Session& se
   report["waypoints"] = file.path->waypoints.size();
   report["motion"] = motion_json(proof);
   report["short_of_goal_deg"] = degrees((file.path->waypoints.back().config - goal(linkage)).lpNorm<Eigen::Infinity>());
+  report["progress"] = claims.share;
   report["defects"] = to_json(claims.defects);
   report["unchecked"] = claims.unchecked;
   const bool finished = claims.complete && !proof.interrupted;
@@ -195,10 +196,14 @@ int verify_motion_file(const FoldFile& file, const VerifyArgs& args, Session& se
                             count(static_cast<long>(file.path->waypoints.size()), "waypoint")));
   session.print(fmt::format("proof      {}\n", motion_line(proof)));
   if (linkage.has_loops()) session.print(fmt::format("loops      {}\n", loops_line(proof.loops)));
+  if (claims.is_partial)
+    session.print(
+        fmt::format("goal       not reached: it ends at {:.4g} % of the way, as the file says\n", 100 * claims.share));
   session.print(lines_of(claims.defects));
   for (const std::string& what : claims.unchecked) session.print(fmt::format("unchecked  {}\n", what));
   if (args.noise > 0 && !run.over()) report_noise(file, linkage, args, session);
-  session.print(fmt::format("verified   {}\n", !finished ? "not finished" : valid ? "yes" : "no"));
+  const char* const yes = claims.is_partial ? "yes, as far as it goes" : "yes";
+  session.print(fmt::format("verified   {}\n", !finished ? "not finished" : valid ? yes : "no"));
   if (!finished && run.over()) return Session::exit_code(run.ending());
   return valid ? kDone : kNo;
 }

@@ -164,6 +164,17 @@ Configuration goal(const Linkage& linkage) {
   return config;
 }
 
+double share_of_way(const Linkage& linkage, const Configuration& config) {
+  double whole = 0, rest = 0;
+  for (int h = 0; h < linkage.num_hinges(); ++h) {
+    const double target = linkage.hinges[h].target;
+    if (target == 0) continue;
+    whole += target * target;
+    rest += (target - config[h]) * (target - config[h]);
+  }
+  return whole > 0 ? 1 - std::sqrt(rest / whole) : 1;
+}
+
 int hinge_beyond_limits(const Linkage& linkage, const Configuration& config, double slack) {
   for (int h = 0; h < linkage.num_hinges(); ++h)
     if (config[h] < linkage.hinges[h].low - slack || config[h] > linkage.hinges[h].high + slack) return h;

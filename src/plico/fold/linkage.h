@@ -67,6 +67,10 @@ std::vector<int> hinge_of_edge(const CreasePattern& sheet);
 Configuration flat(const Linkage& linkage);
 Configuration goal(const Linkage& linkage);
 
+// How much of the way from flat to the goal is behind `config`: 1 minus its distance to the goal over that of the flat
+// state, both over the hinges that are to fold (target not 0); 1 when there are none. At most 1; below 0 beyond flat.
+double share_of_way(const Linkage& linkage, const Configuration& config);
+
 // A hinge whose angle in `config` lies beyond its limits by more than `slack` radians, -1 for none.
 int hinge_beyond_limits(const Linkage& linkage, const Configuration& config, double slack = 1e-9);
 

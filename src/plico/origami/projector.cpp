@@ -31,10 +31,18 @@ Limits limits_of(const ProjectOptions& options, int num_creases) {
   return {fill(options.low, -kPi), fill(options.high, kPi)};
 }
 
+Configuration damping_of(const ProjectOptions& options, int num_creases) {
+  if (options.weight.size() == 0) return Configuration::Constant(num_creases, options.damping);
+  if (options.weight.size() == num_creases) return options.damping * options.weight;
+  throw InvalidInput("origami/weights", fmt::format("{} weights for {} creases", options.weight.size(), num_creases));
+}
+
 void check(const ProjectOptions& o) {
   if (!(o.tolerance > 0)) throw InvalidOption(fmt::format("tolerance = {} must be above 0", o.tolerance));
   if (!(o.max_step > 0)) throw InvalidOption(fmt::format("max step = {} must be above 0", o.max_step));
   if (!(o.damping > 0)) throw InvalidOption(fmt::format("damping = {} must be above 0", o.damping));
+  if (o.weight.size() > 0 && !(o.weight.minCoeff() > 0))
+    throw InvalidOption(fmt::format("weight = {} must be above 0", o.weight.minCoeff()));
 }
 
 }  // namespace
@@ -78,11 +86,11 @@ class Projector::Equations {
     for (std::size_t l = 0; l < loops_.size(); ++l) write_columns(l, config);
   }
 
-  // Of J^T J + damping I, with the rows and columns of held creases those of the identity.
-  void factorize(double damping, const std::vector<char>& held) {
+  // Of J^T J + diag(damping), with the rows and columns of held creases those of the identity.
+  void factorize(const Configuration& damping, const std::vector<char>& held) {
     double* values = normal_.valuePtr();
     std::fill(values, values + normal_.nonZeros(), 0.0);
-    for (int h = 0; h < num_creases_; ++h) values[diagonal_[h]] = held[h] ? 1 : damping;
+    for (int h = 0; h < num_creases_; ++h) values[diagonal_[h]] = held[h] ? 1 : damping[h];
     const int* slot = slots_.data();
     for (std::size_t l = 0; l < loops_.size(); ++l) {
       const auto& hinges = loops_[l].hinges;
@@ -177,11 +185,11 @@ class Projector::Equations {
 
 namespace {
 
-// Solves (J^T J + damping I) x = `right(held)` and makes a step of x, holding the creases that would leave their limits
-// at once.
+// Solves (J^T J + diag(damping)) x = `right(held)` and makes a step of x, holding the creases that would leave their
+// limits at once.
 template <class Equations, class Right, class Step>
-Configuration solve_within(Equations& equations, const Limits& limits, const Configuration& at, double damping,
-                           const Right& right, const Step& step) {
+Configuration solve_within(Equations& equations, const Limits& limits, const Configuration& at,
+                           const Configuration& damping, const Right& right, const Step& step) {
   equations.linearize(at);
   std::vector<char> held(at.size(), 0);
   for (int h = 0; h < at.size(); ++h) held[h] = limits.held(h) ? 1 : 0;
@@ -223,13 +231,13 @@ Projection Projector::project(const Configuration& start, const ProjectOptions& 
     throw InvalidInput("origami/too-few-angles",
                        fmt::format("{} fold angles for {} creases", start.size(), num_creases()));
   const Limits limits = limits_of(options, num_creases());
+  const Configuration damping = damping_of(options, num_creases());
   Projection result;
   result.config = limits.clamp(start);
   double size = equations_->squared_residual(result.config);
   while (equations_->worst_residual() > options.tolerance && result.steps < options.max_steps) {
     Configuration direction = solve_within(
-        *equations_, limits, result.config, options.damping,
-        [&](const std::vector<char>&) { return equations_->gradient(); },
+        *equations_, limits, result.config, damping, [&](const std::vector<char>&) { return equations_->gradient(); },
         [](const Configuration& x) { return Configuration(-x); });
     const double longest = direction.cwiseAbs().maxCoeff();
     if (longest > options.max_step) direction *= options.max_step / longest;
@@ -262,7 +270,7 @@ Configuration Projector::tangent(const Configuration& at, const Configuration& d
       if (held[h]) free[h] = 0;
     return equations_->normal_times(free);
   };
-  return solve_within(*equations_, limits, at, options.damping, free_part,
+  return solve_within(*equations_, limits, at, damping_of(options, num_creases()), free_part,
                       [&](const Configuration& x) { return Configuration(direction - x); });
 }
 

@@ -14,6 +14,8 @@ struct ProjectOptions {
   int max_steps = 60;
   // Limits of each fold angle, radians, or empty for [-pi, pi]. A crease with low = high is held there.
   Configuration low = {}, high = {};
+  // How dear a turn of each crease is, above 0, or empty for 1: "nearest" is least in the sum of weight * turn^2.
+  Configuration weight = {};
 };
 
 struct Projection {

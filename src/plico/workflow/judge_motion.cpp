@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <nlohmann/json.hpp>
+
 #include "plico/base/error.h"
 #include "plico/verify/overlap.h"
 
@@ -11,7 +14,17 @@ namespace {
 constexpr double kPlace = 1e-7;            // of the diagonal of the sheet
 constexpr double kStart = 1e-6;            // radians
 constexpr double kGoal = radians(0.5);     // a goal rounded in a file is moved by up to this (workflow/plan_origami.h)
+constexpr double kShare = 1e-6;            // of the way to the goal: what a file may round
 constexpr double kNoFold = radians(1e-6);  // what cannot turn is not turned
+
+// How much of the way to the goal a motion goes, as its file says.
+std::optional<double> claimed_share(const std::string& report) {
+  const nlohmann::json root = nlohmann::json::parse(report, nullptr, false);
+  if (!root.is_object() || !root.contains("motion") || !root["motion"].is_object()) return {};
+  const nlohmann::json& motion = root["motion"];
+  if (!motion.contains("progress") || !motion["progress"].is_number()) return {};
+  return motion["progress"].get<double>();
+}
 
 class MotionJudge {
  public:
@@ -99,8 +112,11 @@ class MotionJudge {
   }
 
   void judge_goal() {
-    worst_angle("motion/goal", "it does not reach the goal", file_.path->waypoints.back().config - goal(linkage_),
-                kGoal);
+    const Configuration& end = file_.path->waypoints.back().config;
+    verdict_.share = share_of_way(linkage_, end);
+    const std::optional<double> claimed = claimed_share(file_.report);
+    verdict_.is_partial = claimed && *claimed < 1 && std::abs(*claimed - verdict_.share) <= kShare;
+    if (!verdict_.is_partial) worst_angle("motion/goal", "it does not reach the goal", end - goal(linkage_), kGoal);
   }
 
   void judge_limits() {

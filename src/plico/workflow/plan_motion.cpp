@@ -109,6 +109,15 @@ MotionMethod motion_method(std::string_view name) {
   return static_cast<MotionMethod>(at - kMethods.begin());
 }
 
+std::vector<std::string> facet_policies() { return {"auto", "none", "all"}; }
+
+FacetPolicy facet_policy(std::string_view name) {
+  const std::vector<std::string> names = facet_policies();
+  const auto at = std::find(names.begin(), names.end(), name);
+  if (at == names.end()) throw InvalidOption(fmt::format("there is no way '{}' to cut facets", name));
+  return static_cast<FacetPolicy>(at - names.begin());
+}
+
 bool is_for_loops(MotionMethod method) { return method >= MotionMethod::Continuation; }
 
 std::string_view name(MotionMethod method) { return kMethods[static_cast<std::size_t>(method)]; }

@@ -1,5 +1,6 @@
 // From a linkage to a proven motion: the straight one, the uniform one, or what a planner finds; then the proof.
 #pragma once
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,12 @@ MotionMethod motion_method(std::string_view name);  // throws InvalidOption
 std::string_view name(MotionMethod method);
 bool is_for_loops(MotionMethod method);
 
+// Whether panels of a sheet with loops are cut by flat creases along which they bend: when whole ones do not reach the
+// goal, never, or all of them.
+enum class FacetPolicy { Auto, None, All };
+std::vector<std::string> facet_policies();        // "auto", "none", "all"
+FacetPolicy facet_policy(std::string_view name);  // throws InvalidOption
+
 struct MotionOptions {
   std::uint64_t seed = 1;
   MotionMethod method = MotionMethod::Auto;  // Auto: linear, else uniform (up to 5,000 hinges), else lazy-prm
@@ -28,6 +35,7 @@ struct MotionOptions {
   int waypoints = 50;                       // aimed at before those that the gap asks for; at least 1
   bool grouped = false;                     // creases of one group turn together (origami/crease_groups.h)
   std::vector<Configuration> through = {};  // states to be passed in this order, by MD-FROG; each must close
+  FacetPolicy facets = FacetPolicy::Auto;
   // Without:
   bool may_search = true;  // Auto: false leaves out lazy-prm
 };
@@ -43,8 +51,10 @@ struct MotionOutcome {
   // At least one for trees; without a proven one, the best: the motion that gets farthest. With loops, a motion that
   // ends early leads as far as the sheet gets, and there is none when it cannot leave the flat state.
   std::vector<Motion> motions;
-  double progress = 1;             // with loops: of the way to the goal, of the motion
-  std::vector<std::string> notes;  // with loops: what stood in the way, or was done to get there; sentences
+  double progress = 1;                 // with loops: of the way to the goal, of the motion
+  std::vector<std::string> notes;      // with loops: what stood in the way, or was done to get there; sentences
+  std::optional<CreasePattern> sheet;  // with loops: that the motions fold, when panels of the given one were cut
+  std::vector<double> bends;           // then: of each panel of the given sheet, radians at most; 0 stays flat
   bool proven() const { return !motions.empty() && motions.front().proof.verdict == PathVerdict::Free; }
 };
 

@@ -9,6 +9,7 @@
 #include "plico/origami/crease_groups.h"
 #include "plico/origami/md_frog.h"
 #include "plico/origami/reuse.h"
+#include "plico/workflow/far_motion.h"
 
 namespace plico {
 namespace {
@@ -140,7 +141,23 @@ class OrigamiPlanning {
         outcome_.notes.push_back(fmt::format("{} creases are many for a search of other ways; --planner md-frog tries",
                                              linkage_.num_hinges()));
     }
-    if (found.ending != Ending::Found && found.path.waypoints.size() > 1) prove(found.path, MotionMethod::Continuation);
+    if (within && !groups_ && !run_.over()) {
+      if (found.ending != Ending::Found || !outcome_.proven()) go_on_from(found.path);
+    } else if (found.ending != Ending::Found && found.path.waypoints.size() > 1) {
+      prove(found.path, MotionMethod::Continuation);
+    }
+  }
+
+  // What does not reach the goal still leads as far as the sheet goes.
+  void go_on_from(const FoldingPath& begun) {
+    FarMotion far = go_as_far(sheet_, begun, options_, run_);
+    outcome_.notes.insert(outcome_.notes.end(), far.notes.begin(), far.notes.end());
+    outcome_.progress = far.share;
+    outcome_.ending = far.reached ? Ending::Found : Ending::Exhausted;
+    if (far.motion.path.waypoints.size() < 2) return;
+    outcome_.motions = {std::move(far.motion)};
+    outcome_.sheet = std::move(far.sheet);
+    outcome_.bends = std::move(far.bends);
   }
 
   // Waypoints that are inserted later close every loop, but groups need not move alike there. So here, where they do,

@@ -10,8 +10,9 @@ namespace plico {
 //   - A goal that almost closes, as one rounded to a few digits does, is first moved to the nearest that does: at most
 //     kMostGoalMove. Nothing is moved farther.
 //   - A motion that would exceed the limit of a crease ends before that.
-//   - A plan that ends early gives the motion up to there, its times scaled to [0, 1], and Ending::Exhausted; `notes`
-//     say why: "not rigid: ...", "left the branch ...", "collides ...", "limited ...".
+//   - A plan that ends early goes on as far as the sheet does, in facets when options.facets says so (far_motion.h).
+//     The motion's times are scaled to [0, 1] and the ending is Exhausted; `notes` say why: "not rigid: ...",
+//     "left the branch ...", "collides ...", "limited ...".
 //   - When the straight way is blocked and the sheet has at most 64 creases, Auto looks for another one with MD-FROG
 //     (origami/md_frog.h), which the proof judges path by path. Frog and MdFrog are the dissertation's planners alone.
 //   - `options.grouped` plans with one unknown a crease group and the loops of essential vertices; the path is proven

@@ -54,14 +54,16 @@ TEST(PlanOrigami, RefinedWaypointsCloseAndKeepTheGivenOnes) {
   for (const Waypoint& w : refined.waypoints) EXPECT_LT(closure(real_vertices(sheet), w.config).worst, 1e-12);
 }
 
-TEST(PlanOrigami, AGoalThatIsNotRigidGetsItsVertexAndNoMotion) {
+TEST(PlanOrigami, AGoalThatIsNotRigidGetsItsVertexAndTheWayToTheNearestState) {
   CreasePattern cross = l2();
   for (Crease& crease : cross.edges) crease.fold_angle = crease.fold_angle != 0 ? kPi / 2 : 0;
   const MotionOutcome outcome = plan_origami(cross);
   EXPECT_EQ(outcome.ending, Ending::Exhausted);
-  EXPECT_TRUE(outcome.motions.empty());
-  EXPECT_EQ(outcome.progress, 0);
-  ASSERT_EQ(outcome.notes.size(), 1u);
+  ASSERT_TRUE(outcome.proven());
+  EXPECT_GT(outcome.progress, 0.3);
+  EXPECT_LT(outcome.progress, 1);
+  ASSERT_TRUE(outcome.sheet.has_value());  // its panels were cut
+  EXPECT_EQ(static_cast<int>(outcome.bends.size()), cross.num_faces());
   EXPECT_THAT(outcome.notes.front(), StartsWith("not rigid: the goal stays open by"));
 }
 
@@ -72,7 +74,7 @@ TEST(PlanOrigami, ACollisionEndsTheMotionBeforeIt) {
   EXPECT_NEAR(outcome.progress, 49.28 / 55, 0.03);
   EXPECT_EQ(outcome.motions.front().path.waypoints.back().time, 1);
   EXPECT_THAT(outcome.notes.front(), StartsWith("collides after"));
-  EXPECT_THAT(outcome.notes.back(), StartsWith("the goal collides with itself"));
+  EXPECT_THAT(outcome.notes, testing::Contains(StartsWith("the goal collides with itself")));
 }
 
 // All creases at once lead the letter's outer thirds, and the sailboat's flaps, through each other.

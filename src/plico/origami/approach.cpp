@@ -1,0 +1,174 @@
+#include "plico/origami/approach.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "plico/base/error.h"
+
+namespace plico {
+namespace {
+
+constexpr double kThere = 1e-9;      // radians: a goal that closes, and one that is reached
+constexpr double kFirstMove = 0.03;  // of the goal: the step that leaves flat
+constexpr double kLeastTurn = 1e-5;  // radians: a first step that turns less has not left flat
+
+void check(const ApproachOptions& o) {
+  require(o.frames >= 1, "frames", o.frames, "at least 1");
+  require(o.facet_weight > 0, "facet weight", o.facet_weight, "above 0");
+  require(o.min_move > 0, "min move", o.min_move, "above 0");
+  require(o.max_waypoints >= 1, "max waypoints", o.max_waypoints, "at least 1");
+}
+
+class Approach {
+ public:
+  Approach(const CreasePattern& sheet, const ApproachOptions& options, const Run& run)
+      : options_(options),
+        run_(run),
+        linkage_(make_linkage(sheet)),
+        goal_(goal(linkage_)),
+        projector_(sheet),
+        checker_(linkage_, options.collision),
+        max_move_(kPi / options.frames) {
+    const int creases = linkage_.num_hinges();
+    projection_.low.resize(creases);
+    projection_.high.resize(creases);
+    projection_.weight.resize(creases);
+    for (int h = 0; h < creases; ++h) set_crease(h);
+    goal_ = goal_.cwiseMax(projection_.low).cwiseMin(projection_.high);
+    goal_closes_ = closure(projector_.vertices(), goal_).worst <= kThere;
+  }
+
+  ContinuationResult descend(const FoldingPath& begun) {
+    ContinuationResult result;
+    result.path = begun;
+    if (begun.waypoints.size() < 2) {
+      result.path.waypoints = {{0, flat(linkage_)}};
+      if (!leave_flat(result)) return finish(result);
+    }
+    while (distance(end(result)) > 0) {
+      if (run_.over()) {
+        result.ending = run_.ending();
+        return finish(result);
+      }
+      if (static_cast<int>(result.path.waypoints.size()) >= options_.max_waypoints) return finish(result);
+      if (!step(result)) return finish(result);
+      run_.report("folding", std::lround(1000 * share_of_way(linkage_, end(result))), 1000);
+    }
+    result.ending = Ending::Found;
+    result.obstacle = Obstacle::None;
+    return finish(result);
+  }
+
+ private:
+  void set_crease(int h) {
+    const Hinge& hinge = linkage_.hinges[h];
+    projection_.low[h] = options_.keep_sides && hinge.target > 0 ? std::max(0.0, hinge.low) : hinge.low;
+    projection_.high[h] = options_.keep_sides && hinge.target < 0 ? std::min(0.0, hinge.high) : hinge.high;
+    projection_.weight[h] = hinge.target == 0 ? options_.facet_weight : 1;
+  }
+
+  static const Configuration& end(const ContinuationResult& result) { return result.path.waypoints.back().config; }
+
+  // Weighted, squared: what descends. 0 exactly at the goal.
+  double distance(const Configuration& config) const {
+    return (goal_ - config).cwiseAbs2().cwiseProduct(projection_.weight).sum();
+  }
+
+  // Of several first steps the one that comes nearest to the goal.
+  bool leave_flat(ContinuationResult& result) {
+    const Configuration tangents = (goal_.array().min(0.99 * kPi).max(-0.99 * kPi) / 2).tan().matrix();
+    const double longest = tangents.cwiseAbs().maxCoeff();
+    if (!(longest > 0)) return false;
+    std::optional<Configuration> best;
+    for (const Configuration& direction : {goal_, Configuration(kPi / longest * tangents)})
+      for (double scale : {1.0, 0.3, 3.0}) {
+        std::optional<Configuration> first = frame(result, end(result), scale * kFirstMove * direction, 2 * max_move_);
+        if (first && (!best || distance(*first) < distance(*best))) best = std::move(first);
+      }
+    if (!best || (*best).cwiseAbs().maxCoeff() < kLeastTurn) {
+      if (result.obstacle != Obstacle::Collision) stand_still(result);
+      return false;
+    }
+    result.path.waypoints.push_back({0, std::move(*best)});
+    return true;
+  }
+
+  bool step(ContinuationResult& result) {
+    const Configuration at = end(result), rest = goal_ - at;
+    if (goal_closes_ && rest.cwiseAbs().maxCoeff() <= max_move_)
+      if (std::optional<Configuration> last = frame(result, at, goal_, max_move_)) {
+        result.path.waypoints.push_back({0, goal_});
+        return true;
+      }
+    const Configuration way = projector_.tangent(at, rest, projection_);
+    const double turn = way.cwiseAbs().maxCoeff();
+    result.obstacle = Obstacle::None;
+    for (double move = std::min(turn, max_move_); move > options_.min_move; move /= 2) {
+      std::optional<Configuration> next = frame(result, at, at + move / turn * way, 2 * move);
+      if (!next || (*next - at).cwiseAbs().maxCoeff() < options_.min_move / 2) continue;
+      result.path.waypoints.push_back({0, std::move(*next)});
+      return true;
+    }
+    if (result.obstacle != Obstacle::Collision) stand_still(result);
+    return false;
+  }
+
+  // The foldable configuration near `guess` if it may follow `from`.
+  std::optional<Configuration> frame(ContinuationResult& result, const Configuration& from, const Configuration& guess,
+                                     double most) {
+    Projection found = projector_.project(guess, projection_);
+    result.steps += found.steps;
+    if (!found.closed || (found.config - from).cwiseAbs().maxCoeff() > most) return {};
+    if (!(distance(found.config) < distance(from))) return {};
+    if (options_.check_collisions && checker_.collides(found.config)) {
+      result.obstacle = Obstacle::Collision;
+      result.panels = checker_.collisions(found.config).front();
+      return {};
+    }
+    result.worst_residual = std::max(result.worst_residual, found.closure.worst);
+    return std::move(found.config);
+  }
+
+  // Where going straight on would open the sheet most.
+  void stand_still(ContinuationResult& result) const {
+    result.obstacle = goal_closes_ ? Obstacle::Locked : Obstacle::GoalOpen;
+    const Configuration& at = end(result);
+    const Closure opened = closure(projector_.vertices(), goal_closes_ ? at + 0.1 * (goal_ - at) : goal_);
+    result.vertex = opened.worst_vertex;
+    result.residual = opened.worst;
+  }
+
+  ContinuationResult finish(ContinuationResult& result) const {
+    double length = 0;
+    std::vector<Waypoint>& waypoints = result.path.waypoints;
+    for (std::size_t i = 0; i < waypoints.size(); ++i) {
+      if (i > 0) length += (waypoints[i].config - waypoints[i - 1].config).norm();
+      waypoints[i].time = length;
+    }
+    if (length > 0)
+      for (Waypoint& waypoint : waypoints) waypoint.time /= length;
+    result.progress = share_of_way(linkage_, waypoints.back().config);
+    return std::move(result);
+  }
+
+  const ApproachOptions& options_;
+  const Run& run_;
+  Linkage linkage_;
+  Configuration goal_;
+  Projector projector_;
+  CollisionChecker checker_;
+  double max_move_;
+  ProjectOptions projection_;
+  bool goal_closes_ = false;
+};
+
+}  // namespace
+
+ContinuationResult approach_goal(const CreasePattern& sheet, const FoldingPath& begun, const ApproachOptions& options,
+                                 const Run& run) {
+  check(options);
+  return Approach(sheet, options, run).descend(begun);
+}
+
+}  // namespace plico

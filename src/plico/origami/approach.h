@@ -1,0 +1,26 @@
+// Towards a goal that may be out of reach, as far as the sheet goes.
+#pragma once
+#include "plico/origami/continuation.h"
+
+namespace plico {
+
+struct ApproachOptions {
+  int frames = 50;            // a fold angle turns by at most 180 degrees / frames from one waypoint to the next
+  double facet_weight = 0.1;  // of a turn of a crease whose goal is 0, against those that are to fold; above 0
+  double min_move = 1e-3;     // radians: a frame in which no crease turns farther is a standstill; above 0
+  int max_waypoints = 1000;   // at least 1
+  bool keep_sides = true;     // no crease turns against its goal; what would is held flat
+  bool check_collisions = true;
+  CollisionOptions collision = {};
+};
+
+// Descends from the end of `begun` (from flat when it has less than two waypoints) along the foldable configurations:
+// every step goes along the part of the way to the goal that keeps all loops closed to first order, is projected to the
+// closure, and must come nearer to the goal in the least squares of `facet_weight`. It ends at the goal (Found), where
+// no step comes nearer (GoalOpen when the goal does not close, else Locked), at a collision, or after max_waypoints
+// (Obstacle::None, Exhausted). The path goes on from `begun`, its times are lengths of the way, 1 at the end;
+// `progress` is share_of_way. Deterministic. O(waypoints) projections and collision checks.
+ContinuationResult approach_goal(const CreasePattern& sheet, const FoldingPath& begun,
+                                 const ApproachOptions& options = {}, const Run& run = {});
+
+}  // namespace plico

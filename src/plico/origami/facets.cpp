@@ -1,0 +1,106 @@
+#include "plico/origami/facets.h"
+
+#include <array>
+#include <limits>
+#include <set>
+#include <utility>
+
+#include "plico/geom/predicates.h"
+
+namespace plico {
+namespace {
+
+constexpr double kSliver = 0.02;      // height over longest side: thinner facets are taken only when there is no other
+constexpr double kNoTriangle = 1e-6;  // the same: such a facet has no plane
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+// The cheapest triangulation of a simple polygon: best_[i][j] is the cost of what lies between corners i and j. A set
+// of triangles that all turn left and whose outline is simple cannot overlap, so orientation is all that is asked.
+class Triangulation {
+ public:
+  explicit Triangulation(std::vector<Vec2> corners)
+      : corners_(std::move(corners)),
+        size_(static_cast<int>(corners_.size())),
+        best_(size_, std::vector<double>(size_, 0)),
+        apex_(size_, std::vector<int>(size_, -1)) {
+    for (int width = 2; width < size_; ++width)
+      for (int i = 0; i + width < size_; ++i) find_apex(i, i + width);
+  }
+
+  // Corners of each triangle; empty when there is none.
+  std::vector<std::array<int, 3>> triangles() const {
+    std::vector<std::array<int, 3>> result;
+    if (size_ < 3 || best_[0][size_ - 1] == kNever) return result;
+    std::vector<std::pair<int, int>> open = {{0, size_ - 1}};
+    while (!open.empty()) {
+      const auto [i, j] = open.back();
+      open.pop_back();
+      if (j - i < 2) continue;
+      const int k = apex_[i][j];
+      result.push_back({i, k, j});
+      open.emplace_back(k, j);
+      open.emplace_back(i, k);
+    }
+    return result;
+  }
+
+ private:
+  void find_apex(int i, int j) {
+    best_[i][j] = kNever;
+    const bool is_side = i == 0 && j == size_ - 1;
+    for (int k = i + 1; k < j; ++k) {
+      if (best_[i][k] == kNever || best_[k][j] == kNever) continue;
+      const double cost = best_[i][k] + best_[k][j] + triangle_cost(i, k, j);
+      if (cost >= best_[i][j]) continue;
+      best_[i][j] = cost;
+      apex_[i][j] = k;
+    }
+    if (!is_side) best_[i][j] += (corners_[j] - corners_[i]).norm();
+  }
+
+  double triangle_cost(int i, int k, int j) const {
+    const Vec2 &a = corners_[i], &b = corners_[k], &c = corners_[j];
+    if (orient2d(a, b, c) <= 0) return kNever;
+    const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+    const double height = cross(Vec2(b - a), Vec2(c - a)) / longest;
+    if (height < kNoTriangle * longest) return kNever;
+    return height < kSliver * longest ? 100 * longest : 0;
+  }
+
+  std::vector<Vec2> corners_;
+  int size_;
+  std::vector<std::vector<double>> best_;
+  std::vector<std::vector<int>> apex_;
+};
+
+bool has_equal_corners(const std::vector<int>& face) {
+  return std::set<int>(face.begin(), face.end()).size() != face.size();
+}
+
+}  // namespace
+
+Facets cut_into_facets(const CreasePattern& sheet) {
+  Facets result;
+  result.sheet.vertices = sheet.vertices;
+  result.sheet.edges = sheet.edges;
+  result.first_cut = sheet.num_edges();
+  for (int f = 0; f < sheet.num_faces(); ++f) {
+    const std::vector<int>& face = sheet.faces[f];
+    std::vector<std::array<int, 3>> triangles;
+    if (face.size() > 3 && !has_equal_corners(face)) triangles = Triangulation(polygon(sheet, f)).triangles();
+    if (triangles.empty()) {
+      result.sheet.faces.push_back(face);
+      result.panel.push_back(f);
+      continue;
+    }
+    const int last = static_cast<int>(face.size()) - 1;
+    for (const auto& [i, k, j] : triangles) {
+      result.sheet.faces.push_back({face[i], face[k], face[j]});
+      result.panel.push_back(f);
+      if (i != 0 || j != last) result.sheet.edges.push_back({face[i], face[j], Assignment::Flat, 0});
+    }
+  }
+  return result;
+}
+
+}  // namespace plico

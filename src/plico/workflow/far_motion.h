@@ -1,0 +1,28 @@
+// The motion of a sheet that cannot reach its goal: as far as it goes, with whole panels or with panels cut by flat
+// creases.
+#pragma once
+#include "plico/workflow/plan_motion.h"
+
+namespace plico {
+
+// A motion with its proof, or none (no waypoints) when the sheet cannot leave flat.
+struct FarMotion {
+  Motion motion;
+  double share = 0;                    // of the way to the goal (share_of_way), proven
+  bool reached = false;                // the goal, proven
+  std::optional<CreasePattern> sheet;  // that it folds, when panels were cut; its first edges are those of the given
+  std::vector<double> bends;           // then: of each panel of the given sheet, radians at most, 0 stays flat
+  std::vector<std::string> notes;      // how far, and why not farther
+};
+
+// The part of a planned motion that can be proven: waypoints are inserted until hinges open by little (refine_path),
+// and what comes after the first moment that the proof refuses is left off. `clearance` in units.
+Motion prove_as_far(const CreasePattern& sheet, const Linkage& linkage, const FoldingPath& planned, MotionMethod method,
+                    double clearance, const Run& run = {});
+
+// `begun` is a path that stops early; the sheet goes on from there (origami/approach.h). Cuts panels (origami/facets.h)
+// as options.facets says: Auto when that brings the sheet farther than whole panels by at least a hundredth.
+FarMotion go_as_far(const CreasePattern& sheet, const FoldingPath& begun, const MotionOptions& options,
+                    const Run& run = {});
+
+}  // namespace plico
