@@ -127,7 +127,8 @@ class Simplifier {
  private:
   // A plane through the edge, across its face, weighs more than what the face itself asks for.
   void hold_boundary(const Mesh& mesh, HalfedgeId h) {
-    const Vec3 from = mesh.point(mesh.from(h)), along = mesh.point(mesh.to(h)) - from;
+    const Vec3& from = mesh.point(mesh.from(h));
+    const Vec3 along = mesh.point(mesh.to(h)) - from;
     const Vec3 across = along.cross(normal(mesh, mesh.face(h))).normalized();
     for (VertexId v : {mesh.from(h), mesh.to(h)}) {
       on_boundary_[v] = 1;
