@@ -19,6 +19,7 @@ std::vector<Command> all_commands() {
       fold_command(),
       print_command(),
       voxelize_command(),
+      stack_command(),
       sample_command(),
       origami_make_command(),
       origami_info_command(),

@@ -19,6 +19,7 @@ Command export_command();
 Command fold_command();
 Command verify_command();
 Command voxelize_command();
+Command stack_command();
 Command origami_make_command();
 Command origami_info_command();
 Command origami_gallery_command();

@@ -14,6 +14,7 @@
 #include "plico/workflow/judge_motion.h"
 #include "plico/workflow/parts_file.h"
 #include "plico/workflow/plan_motion.h"
+#include "plico/workflow/stack_mesh.h"
 #include "read_mesh.h"
 #include "read_sheet.h"
 #include "session.h"
@@ -208,9 +209,31 @@ int verify_motion_file(const FoldFile& file, const VerifyArgs& args, Session& se
   return valid ? kDone : kNo;
 }
 
+// A chain claims to fold into a closed shape of squares, and into a stack without two panels in one slot.
+int verify_chain_file(const ChainClaim& claim, Session& session) {
+  const ChainVerdict verdict = verify_chain(claim);
+  json& report = session.report();
+  report["kind"] = "chain";
+  report["panels"] = verdict.panels;
+  report["stack"] = {verdict.width, verdict.depth, verdict.height};
+  report["ideal_layers"] = verdict.ideal;
+  report["shape_error"] = verdict.shape_error;
+  report["stack_error"] = verdict.stack_error;
+  report["defects"] = to_json(verdict.defects);
+  report["valid"] = verdict.valid();
+  session.print(fmt::format("chain      {}\n", count(verdict.panels, "panel")));
+  session.print(fmt::format("shape      off by {:.2g} sides\n", verdict.shape_error));
+  session.print(fmt::format("stack      {} x {} x {} layers, off by {:.2g} sides\n", verdict.width, verdict.depth,
+                            verdict.height, verdict.stack_error));
+  session.print(lines_of(verdict.defects));
+  session.print(fmt::format("verified   {}\n", verdict.valid() ? "yes" : "no"));
+  return verdict.valid() ? kDone : kNo;
+}
+
 int verify_file(const VerifyArgs& args, Session& session) {
   if (args.file == "-" && args.mesh == "-") throw InvalidOption("only one of the two files can be standard input");
   const FoldFile file = read_sheet(args.file, session);
+  if (const std::optional<ChainClaim> chain = chain_claim(file)) return verify_chain_file(*chain, session);
   switch (kind(file)) {
     case FoldKind::Net:
       if (const std::optional<PartsClaim> parts = parts_claim(file))

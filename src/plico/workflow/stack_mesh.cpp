@@ -1,0 +1,205 @@
+#include "plico/workflow/stack_mesh.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "plico/base/error.h"
+#include "plico/stack/chain.h"
+
+namespace plico {
+namespace {
+
+constexpr char kChainKey[] = "plico:chain";
+constexpr double kPrintGap = 0.02;  // of the thickness
+
+SquareGraph graph_of(const VoxelShell& shell) {
+  SquareGraph graph;
+  for (const ShellSquare& square : shell.squares) graph.neighbours.push_back(square.neighbor);
+  return graph;
+}
+
+// The strip, vertex by vertex beside its place in the shape.
+class StripBuilder {
+ public:
+  StripBuilder(const VoxelMesh& voxels, const Stack& stack, ChainClaim& claim)
+      : voxels_(voxels), stack_(stack), claim_(claim), side_(voxels.solid.side) {}
+
+  void build() {
+    Vec2 centre = Vec2::Zero();
+    std::vector<int> face(4, -1);
+    const int n = static_cast<int>(stack_.path.size());
+    for (int p = 0; p < n; ++p) {
+      add_corners(p, centre, face);
+      if (p + 1 == n) break;
+      const int h = index(stack_.headings[p]);
+      std::vector<int> next(4, -1);
+      next[h] = face[(h + 1) & 3];
+      next[(h + 3) & 3] = face[(h + 2) & 3];
+      const double angle = shape_angle(p);
+      claim_.sheet.edges.push_back({next[h], next[(h + 3) & 3], assignment_of(angle), angle});
+      centre += side_ * Vec2(h == 0 ? 1 : h == 2 ? -1 : 0, h == 1 ? 1 : h == 3 ? -1 : 0);
+      face = next;
+    }
+    add_borders();
+  }
+
+ private:
+  const ShellSquare& square(int panel) const { return voxels_.shell.squares[stack_.path[panel]]; }
+  int side_between(int panel, int other) const {
+    const auto& around = square(panel).neighbor;
+    return static_cast<int>(std::find(around.begin(), around.end(), stack_.path[other]) - around.begin());
+  }
+  double shape_angle(int hinge) const { return square(hinge).quarter_turn[side_between(hinge, hinge + 1)] * kPi / 2; }
+  // Which corner of the square in the shape is corner 0 of the panel in the strip: East is the side behind corner 1.
+  int first_corner(int panel) const {
+    if (stack_.headings.empty()) return 0;
+    const bool last = panel + 1 == static_cast<int>(stack_.path.size());
+    const int side = side_between(panel, last ? panel - 1 : panel + 1);
+    const int heading = index(last ? opposite(stack_.headings[panel - 1]) : stack_.headings[panel]);
+    return (side - heading - 1) & 3;
+  }
+  void add_corners(int panel, const Vec2& centre, std::vector<int>& face) {
+    const std::array<Vec3, 4> corners = corners_of(square(panel));
+    const int first = first_corner(panel);
+    for (int i = 0; i < 4; ++i) {
+      if (face[i] >= 0) continue;
+      face[i] = claim_.sheet.num_vertices();
+      claim_.sheet.vertices.push_back(centre + side_ / 2 * Vec2(i == 1 || i == 2 ? 1 : -1, i >= 2 ? 1 : -1));
+      claim_.shape.push_back(voxels_.solid.origin + side_ * corners[(first + i) & 3]);
+    }
+    claim_.sheet.faces.push_back(face);
+  }
+  void add_borders() {
+    const int n = claim_.sheet.num_faces();
+    for (int p = 0; p < n; ++p)
+      for (int i = 0; i < 4; ++i) {
+        const bool to_next = p + 1 < n && i == ((index(stack_.headings[p]) + 1) & 3);
+        const bool to_last = p > 0 && i == ((index(stack_.headings[p - 1]) + 3) & 3);
+        const std::vector<int>& face = claim_.sheet.faces[p];
+        if (!to_next && !to_last) claim_.sheet.edges.push_back({face[i], face[(i + 1) & 3], Assignment::Boundary, 0});
+      }
+  }
+
+  const VoxelMesh& voxels_;
+  const Stack& stack_;
+  ChainClaim& claim_;
+  double side_;
+};
+
+ChainClaim claim_of(const VoxelMesh& voxels, const Stack& stack, double thickness) {
+  ChainClaim claim;
+  StripBuilder(voxels, stack, claim).build();
+  claim.thickness = claim.trim = thickness * voxels.solid.side;
+  claim.stack = fold_angles(stack.folds);
+  claim.width = stack.box.width;
+  claim.depth = stack.box.depth;
+  claim.height = stack.box.height;
+  return claim;
+}
+
+// W + D + H of the voxels, in sides.
+double shape_size(const VoxelShell& shell) {
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::max()), high = -low;
+  for (const ShellSquare& square : shell.squares)
+    for (const Vec3& corner : corners_of(square)) {
+      low = low.cwiseMin(corner);
+      high = high.cwiseMax(corner);
+    }
+  return (high - low).sum();
+}
+
+}  // namespace
+
+StackedChain stack_voxels(const VoxelMesh& voxels, const std::vector<int>& cycle, const StackMeshOptions& options,
+                          const Run& run) {
+  require(options.thickness > 0 && options.thickness < 0.5, "thickness", options.thickness,
+          "above 0 and below 0.5 voxel sides");
+  const SquareGraph graph = graph_of(voxels.shell);
+  const StackBox base =
+      options.width > 0 ? StackBox{options.width, options.depth, 0} : best_base(graph.size(), options.thickness);
+  StackedChain chain;
+  chain.found =
+      compact_stack(graph, cycle, true, {.seed = options.seed, .width = base.width, .depth = base.depth}, run);
+  chain.claim = claim_of(voxels, chain.found.best, options.thickness);
+  chain.verdict = verify_chain(chain.claim);
+  chain.compactness = chain.verdict.size_sum / shape_size(voxels.shell);
+  chain.volume_ratio = chain.verdict.volume / static_cast<double>(voxels.solid.grid.count());
+  chain.slots_per_panel = static_cast<double>(chain.found.best.box.slots()) / graph.size();
+  return chain;
+}
+
+FoldFile chain_file(const ChainClaim& claim) {
+  FoldFile file = fold_file(claim.sheet);
+  file.folded = claim.shape;
+  nlohmann::json chain = {{"thickness", claim.thickness}, {"trim", claim.trim},     {"width", claim.width},
+                          {"depth", claim.depth},         {"height", claim.height}, {"stack_angles_deg", {}}};
+  for (double angle : claim.stack) chain["stack_angles_deg"].push_back(degrees(angle));
+  file.other.emplace_back(kChainKey, chain.dump());
+  return file;
+}
+
+std::optional<ChainClaim> chain_claim(const FoldFile& file) {
+  const auto at =
+      std::find_if(file.other.begin(), file.other.end(), [](const auto& entry) { return entry.first == kChainKey; });
+  if (at == file.other.end()) return {};
+  ChainClaim claim;
+  claim.sheet = file.net.sheet;
+  claim.shape = file.folded;
+  try {
+    const nlohmann::json chain = nlohmann::json::parse(at->second);
+    claim.thickness = chain.at("thickness").get<double>();
+    claim.trim = chain.at("trim").get<double>();
+    claim.width = chain.at("width").get<int>();
+    claim.depth = chain.at("depth").get<int>();
+    claim.height = chain.at("height").get<int>();
+    for (const nlohmann::json& angle : chain.at("stack_angles_deg"))
+      claim.stack.push_back(radians(angle.get<double>()));
+  } catch (const nlohmann::json::exception&) {
+    throw InvalidInput("chain/file", "plico:chain does not say thickness, trim, width, depth, height and angles");
+  }
+  return claim;
+}
+
+std::string chain_table(const VoxelMesh& voxels, const Stack& stack, const ChainClaim& claim) {
+  static constexpr const char* kNormals[] = {"+x", "-x", "+y", "-y", "+z", "-z"};
+  std::string table = "panel,voxel_x,voxel_y,voxel_z,normal,turn,shape_deg,stack_deg,cell_x,cell_y,layer\n";
+  const std::vector<Slot> slots = stack_slots(stack.headings, stack.folds);
+  for (std::size_t p = 0; p < slots.size(); ++p) {
+    const ShellSquare& square = voxels.shell.squares[stack.path[p]];
+    const bool last = p + 1 == slots.size();
+    const int turn = last || p == 0 ? 0 : (index(stack.headings[p]) - index(stack.headings[p - 1])) & 3;
+    const double shape = last ? 0 : degrees(claim.sheet.edges[p].fold_angle), pile = last ? 0 : degrees(claim.stack[p]);
+    table += fmt::format("{},{},{},{},{},{},{:.0f},{:.0f},{},{},{}\n", p, square.voxel.x, square.voxel.y,
+                         square.voxel.z, kNormals[static_cast<int>(square.normal)],
+                         turn == 0   ? "straight"
+                         : turn == 1 ? "left"
+                                     : "right",
+                         shape, pile, slots[p].x, slots[p].y, slots[p].layer);
+  }
+  return table;
+}
+
+PolygonSoup stack_solid(const ChainClaim& claim) {
+  const Linkage linkage = chain_linkage_of(claim);
+  const Configuration config = Eigen::Map<const Configuration>(claim.stack.data(), linkage.num_hinges());
+  const std::vector<Pose> poses = folding_map(linkage, config);
+  const Vec3 half(0, 0, (1 - kPrintGap) * linkage.thickness / 2);
+  PolygonSoup soup;
+  for (int p = 0; p < linkage.num_panels(); ++p) {
+    const int first = soup.num_points();
+    for (const Vec3& offset : {Vec3(-half), half})
+      for (const Vec3& corner : linkage.panels[p]) soup.points.push_back(poses[p] * Vec3(corner + offset));
+    soup.add_face({first + 3, first + 2, first + 1, first});
+    soup.add_face({first + 4, first + 5, first + 6, first + 7});
+    for (int i = 0; i < 4; ++i) {
+      const int next = (i + 1) % 4;
+      soup.add_face({first + i, first + next, first + 4 + next, first + 4 + i});
+    }
+  }
+  return soup;
+}
+
+}  // namespace plico

@@ -1,0 +1,41 @@
+// From voxels to a chain of thick squares in its most compact stack, judged, and as files. Source: [Xi17] chapter 6.
+#pragma once
+#include <optional>
+#include <string>
+
+#include "plico/io/pattern/fold.h"
+#include "plico/stack/compact.h"
+#include "plico/verify/chain.h"
+#include "plico/workflow/voxel_mesh.h"
+
+namespace plico {
+
+struct StackMeshOptions {
+  std::uint64_t seed = 1;
+  double thickness = 0.1;    // of the panels, in voxel sides, in (0, 0.5)
+  int width = 0, depth = 0;  // of the base in panels; 0: the base with the least W + D + H
+};
+
+struct StackedChain {
+  CompactResult found;
+  ChainClaim claim;                                               // in the mesh's unit
+  ChainVerdict verdict;                                           // on the claim
+  double compactness = 0, volume_ratio = 0, slots_per_panel = 0;  // R14, held against the voxels
+};
+
+// `cycle` visits every square of the shell once. Throws InvalidOption.
+StackedChain stack_voxels(const VoxelMesh& voxels, const std::vector<int>& cycle, const StackMeshOptions& options,
+                          const Run& run = {});
+
+// The claim as a FOLD file: the strip as key frame, the shape as folded form, the rest under plico:chain; and back.
+// chain_claim() is empty for a file of another kind and throws InvalidInput ("chain/file") for a broken one.
+FoldFile chain_file(const ChainClaim& claim);
+std::optional<ChainClaim> chain_claim(const FoldFile& file);
+
+// One row a panel: where its square is in the shape and where it lies in the stack.
+std::string chain_table(const VoxelMesh& voxels, const Stack& stack, const ChainClaim& claim);
+
+// The panels as they lie in the stack, each a closed box, 2 % thinner than they are so that they do not touch.
+PolygonSoup stack_solid(const ChainClaim& claim);
+
+}  // namespace plico
