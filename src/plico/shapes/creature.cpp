@@ -148,7 +148,7 @@ void check(const CreatureOptions& options) {
     throw InvalidOption(fmt::format("variety = {} must be in [0, 1]", options.variety));
 }
 
-SmoothBody creature_body(const CreatureOptions& options) {
+std::vector<Limb> creature_limbs(const CreatureOptions& options) {
   check(options);
   std::vector<Bone> bones = skeleton(options.animal);
   if (options.variety > 0) vary(bones, options.variety, options.seed);
@@ -157,8 +157,10 @@ SmoothBody creature_body(const CreatureOptions& options) {
     limbs.push_back(bone.limb);
     if (bone.is_pair) limbs.push_back(mirrored(bone.limb));
   }
-  return SmoothBody(limbs);
+  return limbs;
 }
+
+SmoothBody creature_body(const CreatureOptions& options) { return SmoothBody(creature_limbs(options)); }
 
 PolygonSoup creature(const CreatureOptions& options) {
   const SmoothBody body = creature_body(options);

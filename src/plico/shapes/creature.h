@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <string_view>
+#include <vector>
 
 #include "plico/mesh/soup.h"
 #include "plico/shapes/smooth_body.h"
@@ -23,6 +24,9 @@ void check(const CreatureOptions& options);  // throws InvalidOption
 
 // About one to two units long, looking along +x, its left side towards +y, upright along z.
 SmoothBody creature_body(const CreatureOptions& options);
+
+// The limbs of that body; of a pair the left one, then the right one.
+std::vector<Limb> creature_limbs(const CreatureOptions& options);
 
 // The body's surface: closed, one component, genus 0, exactly the even number of triangles asked for. Same options,
 // same mesh. About 10 microseconds a face, at least a tenth of a second.
