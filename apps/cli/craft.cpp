@@ -52,7 +52,7 @@ std::string motion_text(const CraftResult& result) {
   return fmt::format("{}, not proven", result.motion_kind);
 }
 
-void print_pieces(const Session& session, const SegmentResult& kit) {
+void print_pieces(const Session& session, const Kit& kit) {
   for (int i = 0; i < kit.parts.num_parts(); ++i) {
     const ProvenPart& piece = kit.part[i];
     const std::string motion =

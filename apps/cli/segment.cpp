@@ -59,7 +59,7 @@ Segmentation parts_of(const Mesh& mesh, const SegmentArgs& args, Session& sessio
   return by_file_groups(mesh, read_obj_groups(session.read(args.mesh), args.mesh));
 }
 
-json report_of(const Mesh& mesh, const SegmentArgs& args, const SegmentResult& result) {
+json report_of(const Mesh& mesh, const SegmentArgs& args, const Kit& result) {
   double seam = 0;
   for (EdgeId e : seams(mesh, result.parts)) seam += length(mesh, e);
   return {{"by", args.by},
@@ -86,7 +86,7 @@ std::string proof_text(const ProvenPart& part, const std::string& motion) {
                                 : fmt::format("net verified, no free {} motion found", motion);
 }
 
-void say_parts(const Session& session, const SegmentArgs& args, const Mesh& mesh, const SegmentResult& result) {
+void say_parts(const Session& session, const SegmentArgs& args, const Mesh& mesh, const Kit& result) {
   const int n = result.parts.num_parts();
   session.say(fmt::format("{} faces: {} {}, {} proven; seams {:.3g} diagonals", mesh.num_faces(), n,
                           n == 1 ? "part" : "parts", result.num_proven(),
@@ -107,7 +107,7 @@ void make_folder(const std::string& folder) {
 }
 
 // One file a part, named after it; what no file name may hold becomes '_'.
-void write_motions(const SegmentArgs& args, const SegmentResult& result, Session& session) {
+void write_motions(const SegmentArgs& args, const Kit& result, Session& session) {
   if (args.motions.empty()) return;
   for (int i = 0; i < result.parts.num_parts(); ++i) {
     std::string stem = result.parts.names[i];
@@ -130,9 +130,9 @@ int segment_file(SegmentArgs& args, Session& session) {
   const std::vector<std::string> outputs = fold_outputs(session);
   make_folder(args.motions);
   const Mesh mesh = read_mesh(args.mesh, args.repair, session);
-  const SegmentResult result =
-      args.by == "foldability" ? segment_mesh(mesh, args.options, session.run())
-                               : prove_parts(mesh, parts_of(mesh, args, session), args.options.prove, session.run());
+  const Kit result = args.by == "foldability"
+                         ? segment_mesh(mesh, args.options, session.run())
+                         : make_kit(mesh, parts_of(mesh, args, session), args.options.prove, session.run());
   session.report().update(report_of(mesh, args, result));
   say_parts(session, args, mesh, result);
   if (!result.verdict.valid()) return kInternal;

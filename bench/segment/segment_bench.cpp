@@ -48,7 +48,7 @@ Seam seam_of(const Mesh& mesh, const Segmentation& parts) {
 }
 
 struct Cut {
-  SegmentResult result;
+  Kit result;
   double seconds = 0;
 };
 

@@ -36,13 +36,13 @@ ProvePartOptions wanted_of_parts(const CraftOptions& options) {
 // A mesh in several pieces, or cut into parts, becomes a kit: every piece has its own net and motion.
 void find_kit(const Mesh& mesh, const CraftOptions& options, const Run& run, CraftResult& result) {
   run.report("looking for nets that fold", 0);
-  SegmentResult kit;
+  Kit kit;
   if (options.parts) {
     SegmentOptions cut = *options.parts;
     cut.prove = wanted_of_parts(options);
     kit = segment_mesh(mesh, cut, run);
   } else {
-    kit = prove_parts(mesh, by_components(mesh), wanted_of_parts(options), run);
+    kit = make_kit(mesh, by_components(mesh), wanted_of_parts(options), run);
   }
   result.ending = kit.ending;
   if (options.law) result.motion = motion_of_pieces(mesh, kit, run);

@@ -40,10 +40,10 @@ struct CraftResult {
   Ending ending = Ending::Exhausted;
   Unfolding net;
   NetVerdict verdict;
-  std::optional<SegmentResult> kit;  // of a mesh in several pieces that are to fold: each with its own net and motion
-  std::optional<Motion> motion;      // the best that was found, proven or not
-  std::string motion_kind;           // "linear", "uniform", "planned"; empty without a motion
-  std::string why_no_motion;         // empty with one
+  std::optional<Kit> kit;        // of a mesh in several pieces that are to fold: each with its own net and motion
+  std::optional<Motion> motion;  // the best that was found, proven or not
+  std::string motion_kind;       // "linear", "uniform", "planned"; empty without a motion
+  std::string why_no_motion;     // empty with one
   LayoutResult layout;
   LayoutVerdict layout_verdict;
   // NAME.pdf, NAME.svg (NAME-1.svg, ... for several pages), NAME.dxf, NAME.fold (with the motion), index.html,

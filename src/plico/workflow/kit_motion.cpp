@@ -25,7 +25,7 @@ std::vector<int> hinges_of_piece(const ProvenPart& piece, const std::vector<int>
   return result;
 }
 
-std::vector<double> times_of(const SegmentResult& kit) {
+std::vector<double> times_of(const Kit& kit) {
   std::vector<double> times{0, 1};
   for (const ProvenPart& piece : kit.part)
     if (piece.motion)
@@ -35,7 +35,7 @@ std::vector<double> times_of(const SegmentResult& kit) {
   return times;
 }
 
-FoldingPath joined_path(const Mesh& mesh, const SegmentResult& kit, const Linkage& linkage) {
+FoldingPath joined_path(const Mesh& mesh, const Kit& kit, const Linkage& linkage) {
   const std::vector<int> whole = hinge_of_mesh_edge(mesh, kit.net);
   FoldingPath path;
   for (double time : times_of(kit)) path.waypoints.push_back({time, time * goal(linkage)});
@@ -50,7 +50,7 @@ FoldingPath joined_path(const Mesh& mesh, const SegmentResult& kit, const Linkag
   return path;
 }
 
-MotionMethod method_of(const SegmentResult& kit) {
+MotionMethod method_of(const Kit& kit) {
   std::optional<MotionMethod> common;
   for (const ProvenPart& piece : kit.part) {
     if (!piece.motion) continue;
@@ -62,7 +62,7 @@ MotionMethod method_of(const SegmentResult& kit) {
 
 }  // namespace
 
-std::optional<Motion> motion_of_pieces(const Mesh& mesh, const SegmentResult& kit, const Run& run) {
+std::optional<Motion> motion_of_pieces(const Mesh& mesh, const Kit& kit, const Run& run) {
   const Linkage linkage = linkage_of(kit.net);
   if (linkage.num_hinges() == 0) return std::nullopt;
   FoldingPath path = joined_path(mesh, kit, linkage);

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "plico/mesh/mesh.h"
-#include "plico/workflow/segment_mesh.h"
+#include "plico/workflow/kit.h"
 
 namespace plico {
 
@@ -11,6 +11,6 @@ namespace plico {
 // whole is proven again, as the motion of linkage_of(kit.net): each piece is free of itself, pieces are apart. None
 // when nothing moves. Its method is that of all pieces, or LazyPrm when they differ. O(waypoints * hinges) beside the
 // proof.
-std::optional<Motion> motion_of_pieces(const Mesh& mesh, const SegmentResult& kit, const Run& run = {});
+std::optional<Motion> motion_of_pieces(const Mesh& mesh, const Kit& kit, const Run& run = {});
 
 }  // namespace plico

@@ -38,7 +38,7 @@ Json neighbors_json(const std::vector<SeamLength>& seams, int part) {
 }
 
 // Number of every sheet edge, null where nothing of another part is glued.
-Json seams_json(const Mesh& mesh, const SegmentResult& result) {
+Json seams_json(const Mesh& mesh, const Kit& result) {
   const std::vector<int> number = seam_numbers(mesh, result.parts);
   Json list = Json::array();
   for (int e : result.net.mesh_edge) list.push_back(number[e] > 0 ? Json(number[e]) : Json());
@@ -68,7 +68,7 @@ const std::string* value_of(const FoldFile& file, const std::string& key) {
 
 }  // namespace
 
-Json parts_json(const Mesh& mesh, const SegmentResult& result) {
+Json parts_json(const Mesh& mesh, const Kit& result) {
   const std::vector<std::vector<FaceId>> faces = faces_of_parts(result.parts);
   const std::vector<SeamLength> seams = seam_lengths(mesh, result.parts);
   const std::vector<int> step = assembly_steps(mesh, result.parts);
@@ -89,7 +89,7 @@ Json parts_json(const Mesh& mesh, const SegmentResult& result) {
   return list;
 }
 
-FoldFile parts_file(const Mesh& mesh, const SegmentResult& result) {
+FoldFile parts_file(const Mesh& mesh, const Kit& result) {
   FoldFile file = fold_file(mesh, result.net);
   file.other.emplace_back(kSeamKey, seams_json(mesh, result).dump());
   file.other.emplace_back(kPartsKey, parts_json(mesh, result).dump());

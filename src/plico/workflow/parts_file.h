@@ -5,16 +5,16 @@
 
 #include "plico/io/pattern/fold.h"
 #include "plico/verify/parts.h"
-#include "plico/workflow/segment_mesh.h"
+#include "plico/workflow/kit.h"
 
 namespace plico {
 
 // One object a part: id, name, faces (of the mesh), area, pieces (numbers in faces_plico:part), size (of its net, as
 // laid out), neighbors with the length of their seams, step of assembly, proven, motion. Units are the mesh's.
-nlohmann::json parts_json(const Mesh& mesh, const SegmentResult& result);
+nlohmann::json parts_json(const Mesh& mesh, const Kit& result);
 
 // The nets side by side, folded form and all. Numbers of seams are equal on both edges that are glued.
-FoldFile parts_file(const Mesh& mesh, const SegmentResult& result);
+FoldFile parts_file(const Mesh& mesh, const Kit& result);
 
 // The net of one part with its motion; its mesh numbers are those of the part.
 FoldFile part_motion_file(const ProvenPart& part);

@@ -24,7 +24,7 @@ Mesh cube_and_octahedron() {
 
 TEST(KitMotion, PiecesMoveAsTheyDoByThemselves) {
   const Mesh mesh = cube_and_octahedron();
-  const SegmentResult kit = prove_parts(mesh, by_components(mesh));
+  const Kit kit = make_kit(mesh, by_components(mesh));
   const std::optional<Motion> motion = motion_of_pieces(mesh, kit);
   ASSERT_TRUE(motion);
   EXPECT_EQ(motion->proof.verdict, PathVerdict::Free);
@@ -36,7 +36,7 @@ TEST(KitMotion, PiecesMoveAsTheyDoByThemselves) {
 
 TEST(KitMotion, StopsOfOnePieceAreStopsOfAll) {
   const Mesh mesh = cube_and_octahedron();
-  SegmentResult kit = prove_parts(mesh, by_components(mesh));
+  Kit kit = make_kit(mesh, by_components(mesh));
   ASSERT_EQ(kit.part.size(), 2u);
   FoldingPath& path = kit.part[0].motion->path;
   path.waypoints.insert(path.waypoints.begin() + 1, {0.25, flat(linkage_of(kit.part[0].net))});
@@ -59,7 +59,7 @@ TEST(KitMotion, OfPanelsAloneThereIsNone) {
   soup.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   soup.add_face({0, 1, 2});
   const Mesh mesh(soup);
-  EXPECT_FALSE(motion_of_pieces(mesh, prove_parts(mesh, by_components(mesh))));
+  EXPECT_FALSE(motion_of_pieces(mesh, make_kit(mesh, by_components(mesh))));
 }
 
 }  // namespace

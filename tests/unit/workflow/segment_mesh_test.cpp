@@ -13,7 +13,7 @@ namespace {
 
 TEST(SegmentMesh, EveryPartOfAStarIsProven) {
   const Mesh star{spiked(Mesh(cube()), 2)};
-  const SegmentResult result = segment_mesh(star);
+  const Kit result = segment_mesh(star);
   EXPECT_EQ(result.ending, Ending::Found);
   EXPECT_EQ(result.parts.num_parts(), 6);
   EXPECT_EQ(result.num_proven(), 6);
@@ -42,7 +42,7 @@ TEST(SegmentMesh, ASurfaceThroughItselfIsSaidAndParted) {
   const Mesh strip{soup};
   SegmentOptions options;
   options.wish = PartsWish::Fewest;
-  const SegmentResult result = segment_mesh(strip, options);
+  const Kit result = segment_mesh(strip, options);
   EXPECT_EQ(result.parts.num_parts(), 2);
   EXPECT_EQ(result.ending, Ending::Found);
   ASSERT_FALSE(result.notes.empty());
@@ -55,7 +55,7 @@ TEST(SegmentMesh, AsManyPartsAsAreAskedFor) {
   options.wish = PartsWish::Exactly;
   for (int n : {1, 3, 8}) {
     options.parts = n;
-    const SegmentResult result = segment_mesh(mesh, options);
+    const Kit result = segment_mesh(mesh, options);
     EXPECT_EQ(result.parts.num_parts(), n);
     EXPECT_EQ(result.num_proven(), n);
   }
@@ -65,7 +65,7 @@ TEST(SegmentMesh, AsManyPartsAsAreAskedFor) {
 
 TEST(SegmentMesh, ARunThatIsOverLeavesValidNets) {
   const Mesh dog{make_shape("dog", {.faces = 100})};
-  const SegmentResult result = segment_mesh(dog, {}, limited({}, 0));
+  const Kit result = segment_mesh(dog, {}, limited({}, 0));
   EXPECT_EQ(result.ending, Ending::TimedOut);
   EXPECT_TRUE(result.verdict.valid());
   const FoldFile file = parts_file(dog, result);
@@ -74,7 +74,7 @@ TEST(SegmentMesh, ARunThatIsOverLeavesValidNets) {
 
 TEST(SegmentMesh, ThreadsDoNotMatter) {
   const Mesh dog{make_shape("dog", {.faces = 100})};
-  const SegmentResult one = segment_mesh(dog), two = segment_mesh(dog, {}, {.threads = 2});
+  const Kit one = segment_mesh(dog), two = segment_mesh(dog, {}, {.threads = 2});
   EXPECT_EQ(write_fold(parts_file(dog, one)), write_fold(parts_file(dog, two)));
 }
 
