@@ -1,6 +1,7 @@
 // plico verify: judges what a FOLD file claims, from scratch.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -77,10 +78,15 @@ void report_net(Session& session, const NetVerdict& verdict) {
   session.print(fmt::format("verified   {}\n", answer));
 }
 
+// The mesh on the command line; none when there is none.
+std::optional<Mesh> given_mesh(const FoldFile& file, const VerifyArgs& args, Session& session) {
+  if (args.mesh.empty()) return std::nullopt;
+  return read_mesh_of_net(args.mesh, args.repair, file.net.sheet.num_faces(), session);
+}
+
 // Without a mesh the net is held against its own folded form; one that makes no surface is a defect like any other.
-NetVerdict judge(const FoldFile& file, const VerifyArgs& args, Session& session, const Run& run) {
-  if (!args.mesh.empty())
-    return verify_net(file.net, read_mesh_of_net(args.mesh, args.repair, file.net.sheet.num_faces(), session), {}, run);
+NetVerdict judge(const FoldFile& file, const std::optional<Mesh>& mesh, const VerifyArgs& args, const Run& run) {
+  if (mesh) return verify_net(file.net, *mesh, {}, run);
   if (file.folded.empty())
     throw InvalidInput("verify/no-shape", fmt::format("{} has no folded form to hold the net against", args.file), {},
                        fmt::format("plico verify {} MESH", args.file));
@@ -95,26 +101,20 @@ NetVerdict judge(const FoldFile& file, const VerifyArgs& args, Session& session,
   }
 }
 
-int verify_net_file(const FoldFile& file, const VerifyArgs& args, Session& session) {
+int verify_net_file(const FoldFile& file, const std::optional<Mesh>& mesh, const VerifyArgs& args, Session& session) {
   const Run run = session.run();
-  const NetVerdict verdict = judge(file, args, session, run);
+  const NetVerdict verdict = judge(file, mesh, args, run);
   report_net(session, verdict);
   if (!verdict.complete && run.over()) return Session::exit_code(run.ending());
   return verdict.valid() ? kDone : kNo;
 }
 
-std::optional<Mesh> mesh_of(const FoldFile& file, const VerifyArgs& args, Session& session) {
-  if (!args.mesh.empty()) return read_mesh_of_net(args.mesh, args.repair, file.net.sheet.num_faces(), session);
-  if (file.folded.empty()) return std::nullopt;
-  return folded_mesh(file);
-}
-
 // Parts claim more than their nets: that they are the mesh, and which edges are glued where.
-int verify_parts_file(const FoldFile& file, const PartsClaim& claim, const VerifyArgs& args, Session& session) {
-  const std::optional<Mesh> mesh = mesh_of(file, args, session);
-  if (!mesh) return verify_net_file(file, args, session);
+int verify_parts_file(const FoldFile& file, const PartsClaim& claim, const std::optional<Mesh>& given,
+                      const VerifyArgs& args, Session& session) {
+  if (!given && file.folded.empty()) return verify_net_file(file, given, args, session);
   const Run run = session.run();
-  const PartsVerdict verdict = verify_parts(claim, file.net, *mesh, run);
+  const PartsVerdict verdict = verify_parts(claim, file.net, given ? *given : folded_mesh(file), run);
   report_net(session, verdict.net);
   json& report = session.report();
   report["kind"] = "parts";
@@ -171,11 +171,10 @@ void report_noise(const FoldFile& file, const Linkage& linkage, const VerifyArgs
 }
 
 // A motion claims that its panels never penetrate each other on the way.
-int verify_motion_file(const FoldFile& file, const VerifyArgs& args, Session& session) {
+int verify_motion_file(const FoldFile& file, const std::optional<Mesh>& mesh, const VerifyArgs& args,
+                       Session& session) {
   const Run run = session.run();
   const Linkage linkage = make_linkage(file.net.sheet, file.net.mate);
-  std::optional<Mesh> mesh;
-  if (!args.mesh.empty()) mesh = read_mesh_of_net(args.mesh, args.repair, file.net.sheet.num_faces(), session);
   if (mesh && (file.net.mesh_face.empty() || file.net.mesh_vertex.empty())) refuse_mesh(args);
   const FileVerdict claims = judge_motion(file, linkage, mesh, run);
   const PathProof proof = prove_path(linkage, *file.path, {.clearance = args.clearance}, run);
@@ -209,6 +208,16 @@ int verify_motion_file(const FoldFile& file, const VerifyArgs& args, Session& se
   return valid ? kDone : kNo;
 }
 
+// A kit claims both: parts that make the mesh, and their motions.
+int verify_kit_file(const FoldFile& file, const PartsClaim& claim, const VerifyArgs& args, Session& session) {
+  const std::optional<Mesh> mesh = given_mesh(file, args, session);
+  const int moves = verify_motion_file(file, mesh, args, session);
+  const int fits = verify_parts_file(file, claim, mesh, args, session);
+  session.report()["kind"] = "kit";
+  session.report()["valid"] = moves == kDone && fits == kDone;
+  return std::max(moves, fits);
+}
+
 // A chain claims to fold into a closed shape of squares, and into a stack without two panels in one slot.
 int verify_chain_file(const ChainClaim& claim, Session& session) {
   const ChainVerdict verdict = verify_chain(claim);
@@ -234,16 +243,17 @@ int verify_file(const VerifyArgs& args, Session& session) {
   if (args.file == "-" && args.mesh == "-") throw InvalidOption("only one of the two files can be standard input");
   const FoldFile file = read_sheet(args.file, session);
   if (const std::optional<ChainClaim> chain = chain_claim(file)) return verify_chain_file(*chain, session);
+  const std::optional<PartsClaim> parts = parts_claim(file);
   switch (kind(file)) {
     case FoldKind::Net:
-      if (const std::optional<PartsClaim> parts = parts_claim(file))
-        return verify_parts_file(file, *parts, args, session);
-      return verify_net_file(file, args, session);
+      if (parts) return verify_parts_file(file, *parts, given_mesh(file, args, session), args, session);
+      return verify_net_file(file, given_mesh(file, args, session), args, session);
     case FoldKind::CreasePattern:
       if (!args.mesh.empty()) refuse_mesh(args);
       return verify_sheet_file(file, session);
     case FoldKind::Motion:
-      return verify_motion_file(file, args, session);
+      if (parts) return verify_kit_file(file, *parts, args, session);
+      return verify_motion_file(file, given_mesh(file, args, session), args, session);
   }
   return kInternal;
 }
