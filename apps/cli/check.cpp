@@ -9,6 +9,7 @@
 #include "plico/base/error.h"
 #include "plico/io/mesh/mesh_file.h"
 #include "plico/mesh/repair.h"
+#include "read_mesh.h"
 #include "session.h"
 
 namespace plico::cli {
@@ -67,12 +68,6 @@ std::string default_output(const std::string& path) {
   return mesh_format_of(path) ? path.substr(0, dot) + ".repaired" + path.substr(dot) : path + ".repaired.obj";
 }
 
-MeshFormat format_to_write(const std::string& path) {
-  if (path == "-") return MeshFormat::Obj;
-  if (const auto format = mesh_format_of(path)) return *format;
-  throw InvalidOption(fmt::format("{} has no mesh format in its name", path), "name it .obj, .off, .stl or .ply");
-}
-
 int write_repaired(const Args& args, const MeshSource& source, const std::vector<std::string>& outputs,
                    Session& session) {
   const Repaired repaired =
@@ -87,7 +82,7 @@ int write_repaired(const Args& args, const MeshSource& source, const std::vector
     session.print(summary("repaired", after));
     return kBadInput;
   }
-  for (const std::string& path : outputs) session.write(path, write_mesh(repaired.soup, format_to_write(path)));
+  for (const std::string& path : outputs) session.write(path, write_mesh(repaired.soup, output_format(path)));
   session.print(summary("repaired", after));
   return kDone;
 }
@@ -97,7 +92,7 @@ int run(const Args& args, Session& session) {
     throw InvalidOption("-o writes the repaired mesh and needs --repair", "add --repair");
   std::vector<std::string> outputs;
   if (args.repair) outputs = session.outputs(default_output(args.mesh));
-  for (const std::string& path : outputs) format_to_write(path);
+  for (const std::string& path : outputs) output_format(path);
   const MeshSource source = read_mesh_source(session.read(args.mesh), args.mesh);
   const CheckReport report = check_mesh(source.soup, args.check);
   session.report()["usable"] = report.usable();

@@ -34,6 +34,12 @@ Mesh read_mesh(const std::string& path, const std::string& repair, Session& sess
                      repair == "safe" ? "add --repair full, which may change the shape" : "plico check " + path);
 }
 
+MeshFormat output_format(const std::string& path) {
+  if (path == "-") return MeshFormat::Obj;
+  if (const auto format = mesh_format_of(path)) return *format;
+  throw InvalidOption(fmt::format("{} does not end in .obj, .off, .stl or .ply", path));
+}
+
 Mesh with_flat_regions_whole(Mesh mesh, Session& session) {
   FlatRegions regions = flat_regions(mesh);
   const CheckOptions strict{.planarity = kFlatPolygon, .self_intersections = false};

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "command.h"
+#include "plico/io/mesh/mesh_file.h"
 #include "plico/mesh/mesh.h"
 #include "session.h"
 
@@ -14,6 +15,9 @@ Command& add_repair_option(Command& command, std::string& repair);
 // Says every repair on standard error and in the report ("repairs"). Throws InvalidInput for what remains wrong, with
 // its place in the file when nothing was repaired before.
 Mesh read_mesh(const std::string& path, const std::string& repair, Session& session);
+
+// The format of a mesh that is written to this path, OBJ for standard output. Throws InvalidOption.
+MeshFormat output_format(const std::string& path);
 
 // Neighbouring faces that lie in one plane as one (mesh/flat_regions.h), said and in the report ("flat_regions"); the
 // mesh as it is where there are none, or where that would make no surface.

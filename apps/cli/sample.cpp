@@ -8,6 +8,7 @@
 #include "plico/base/error.h"
 #include "plico/io/mesh/mesh_file.h"
 #include "plico/shapes/named_shapes.h"
+#include "read_mesh.h"
 #include "session.h"
 
 namespace plico::cli {
@@ -30,19 +31,13 @@ int list_shapes(Session& session) {
   return kDone;
 }
 
-MeshFormat format_for(const std::string& path) {
-  if (path == "-") return MeshFormat::Obj;
-  if (const auto format = mesh_format_of(path)) return *format;
-  throw InvalidOption(fmt::format("{} does not end in .obj, .off, .stl or .ply", path));
-}
-
 int write_shape(const SampleArgs& args, Session& session) {
   const std::vector<std::string> outputs = session.outputs(args.name + ".obj");
-  for (const std::string& path : outputs) format_for(path);
+  for (const std::string& path : outputs) output_format(path);
   ShapeOptions options = args.shape;
   if (options.variety != 0) options.seed = session.seed();
   const PolygonSoup shape = make_shape(args.name, options);
-  for (const std::string& path : outputs) session.write(path, write_mesh(shape, format_for(path)));
+  for (const std::string& path : outputs) session.write(path, write_mesh(shape, output_format(path)));
   session.report()["shape"] = args.name;
   session.report()["vertices"] = shape.num_points();
   session.report()["faces"] = shape.num_faces();

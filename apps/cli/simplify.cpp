@@ -20,20 +20,13 @@ struct SimplifyArgs {
   SimplifyOptions options = kept_sharp(300);
 };
 
-MeshFormat mesh_format_to_write(const std::string& path) {
-  if (path == "-") return MeshFormat::Obj;
-  if (const auto format = mesh_format_of(path)) return *format;
-  throw InvalidOption(fmt::format("{} does not end in .obj, .off, .stl or .ply", path));
-}
-
 int simplify_file(const SimplifyArgs& args, Session& session) {
   check(args.options);
   const std::vector<std::string> outputs = session.outputs("simple.obj");
-  for (const std::string& path : outputs) mesh_format_to_write(path);
+  for (const std::string& path : outputs) output_format(path);
   const Mesh mesh = read_mesh(args.mesh, args.repair, session);
   const SimplifiedMesh simple = simplify_mesh(mesh, args.options);
-  for (const std::string& path : outputs)
-    session.write(path, write_mesh(simple.mesh.soup(), mesh_format_to_write(path)));
+  for (const std::string& path : outputs) session.write(path, write_mesh(simple.mesh.soup(), output_format(path)));
   const double size = diagonal(mesh), share = size > 0 ? simple.distance / size : 0;
   session.report()["faces_before"] = simple.faces_before;
   session.report()["faces"] = simple.mesh.num_faces();

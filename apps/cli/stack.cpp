@@ -11,13 +11,13 @@
 #include "plico/io/mesh/stl.h"
 #include "plico/workflow/stack_mesh.h"
 #include "session.h"
+#include "voxel_options.h"
 
 namespace plico::cli {
 namespace {
 
-struct StackArgs {
-  std::string mesh, pair = "solid", base = "auto";
-  Resolution resolution;
+struct StackArgs : VoxelArgs {
+  std::string base = "auto";
   double thickness = 0.1;
 };
 
@@ -83,13 +83,13 @@ int stack_file(const StackArgs& args, Session& session) {
   StackMeshOptions options{.seed = session.seed(), .thickness = args.thickness};
   read_base(args.base, options);
   require(args.thickness > 0 && args.thickness < 0.5, "thickness", args.thickness, "above 0 and below 0.5 voxel sides");
-  const PolygonSoup soup = read_mesh_source(session.read(args.mesh), args.mesh).soup;
-  const VoxelMesh voxels = voxel_mesh(soup, args.resolution, args.pair == "solid" ? Pairing::Solid : Pairing::Empty);
+  const VoxelMesh voxels = read_voxels(args, session);
   const JudgedCycle cycle = judged_cycle(voxels, {.seed = session.seed()}, session.run());
   if (!cycle.verdict.valid()) return kInternal;
   if (cycle.found.ending != Ending::Found) {
-    session.warn(fmt::format("no cycle through all {} squares was found, {} cycles are left; finer voxels may help",
-                             voxels.shell.size(), cycle.found.left));
+    session.warn(
+        fmt::format("no cycle through all {} squares was found, {} cycles are left; with --refine 2 there is one",
+                    voxels.shell.size(), cycle.found.left));
     return Session::exit_code(cycle.found.ending);
   }
   const StackedChain chain = stack_voxels(voxels, cycle.found.cycle, options, session.run());
@@ -104,21 +104,18 @@ int stack_file(const StackArgs& args, Session& session) {
 
 Command stack_command() {
   auto args = std::make_shared<StackArgs>();
-  return Command("stack", "A mesh as one chain of thick squares that packs into a block")
+  Command command("stack", "A mesh as one chain of thick squares that packs into a block");
+  command
       .example("plico stack bird.obj --cells 20 -o bird.fold -o stack.stl", "the most compact stack for its thickness")
       .example("plico stack bird.obj --squares 500 --thickness 0.2 --base 4x4 -o bird.fold",
                "on a base of 4 x 4 panels")
       .example("plico stack bird.obj --cells 20 -o panels.csv && plico stack bird.obj --cells 20 --json",
                "what each panel is and where it lies; every figure")
-      .positional("mesh", "OBJ, OFF, STL or PLY file, closed or not; - for standard input", args->mesh)
-      .option("--cells", "N", "voxels along the longest side, not necessarily whole", args->resolution.cells)
-      .option("--size", "X", "side of a voxel, in the mesh's unit", args->resolution.size)
-      .option("--squares", "N", "search for the resolution with this many squares", args->resolution.squares)
-      .choice("--pair", "which squares are joined where four meet: those of one solid or of one empty voxel",
-              args->pair, {"solid", "empty"})
       .option("--thickness", "T", "of the panels, in voxel sides, in (0, 0.5)", args->thickness)
       .option("--base", "WxD", "of the stack, in panels; auto: the base with the least W + D + H", args->base)
       .action([args](Session& session) { return stack_file(*args, session); });
+  add_voxel_options(command, *args);
+  return command;
 }
 
 }  // namespace plico::cli

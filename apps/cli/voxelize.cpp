@@ -8,21 +8,12 @@
 #include "plico/base/error.h"
 #include "plico/io/mesh/mesh_file.h"
 #include "plico/workflow/voxel_mesh.h"
+#include "read_mesh.h"
 #include "session.h"
+#include "voxel_options.h"
 
 namespace plico::cli {
 namespace {
-
-struct VoxelizeArgs {
-  std::string mesh, pair = "solid";
-  Resolution resolution;
-};
-
-MeshFormat surface_format(const std::string& path) {
-  if (path == "-") return MeshFormat::Obj;
-  if (const auto format = mesh_format_of(path)) return *format;
-  throw InvalidOption(fmt::format("{} does not end in .obj, .off, .stl or .ply", path));
-}
 
 nlohmann::json voxel_report(const VoxelMesh& voxels, const JudgedCycle& cycle) {
   const VoxelGrid& grid = voxels.solid.grid;
@@ -56,39 +47,31 @@ void say_voxels(const Session& session, const VoxelMesh& voxels, const JudgedCyc
   for (const std::string& problem : cycle.verdict.problems) session.warn(problem);
 }
 
-int voxelize_file(const VoxelizeArgs& args, Session& session) {
+int voxelize_file(const VoxelArgs& args, Session& session) {
   const std::vector<std::string> outputs = session.outputs("");
-  for (const std::string& path : outputs) surface_format(path);
-  const PolygonSoup soup = read_mesh_source(session.read(args.mesh), args.mesh).soup;
-  const Pairing pairing = args.pair == "solid" ? Pairing::Solid : Pairing::Empty;
-  const VoxelMesh voxels = voxel_mesh(soup, args.resolution, pairing);
+  for (const std::string& path : outputs) output_format(path);
+  const VoxelMesh voxels = read_voxels(args, session);
   const JudgedCycle cycle = judged_cycle(voxels, {.seed = session.seed()}, session.run());
   session.report().update(voxel_report(voxels, cycle));
   say_voxels(session, voxels, cycle);
   if (!cycle.verdict.valid()) return kInternal;
   const PolygonSoup surface = surface_of(voxels.shell, voxels.solid.origin, voxels.solid.side);
-  for (const std::string& path : outputs) session.write(path, write_mesh(surface, surface_format(path)));
+  for (const std::string& path : outputs) session.write(path, write_mesh(surface, output_format(path)));
   return Session::exit_code(cycle.found.ending);
 }
 
 }  // namespace
 
 Command voxelize_command() {
-  auto args = std::make_shared<VoxelizeArgs>();
-  return Command("voxelize", "The outside of a mesh as equal squares, and a walk that visits each of them once")
-      .example("plico voxelize bird.obj --cells 25 -o squares.obj", "25 voxels along the longest side")
+  auto args = std::make_shared<VoxelArgs>();
+  Command command("voxelize", "The outside of a mesh as equal squares, and a walk that visits each of them once");
+  command.example("plico voxelize bird.obj --cells 25 -o squares.obj", "25 voxels along the longest side")
       .example("plico voxelize bird.obj --squares 2200", "as fine as 2200 squares ask for")
       .example("plico voxelize bird.obj --size 0.1 --pair empty --json",
                "voxels of that size; all figures for programs")
-      .positional("mesh", "OBJ, OFF, STL or PLY file, closed or not; - for standard input", args->mesh)
-      .option("--cells", "N", "voxels along the longest side, not necessarily whole", args->resolution.cells)
-      .option("--size", "X", "side of a voxel, in the mesh's unit", args->resolution.size)
-      .option("--squares", "N", "search for the resolution with this many squares", args->resolution.squares)
-      .option("--refine", "N", "then cut every voxel into N x N x N; with an even N a walk is certain",
-              args->resolution.refine)
-      .choice("--pair", "which squares are joined where four meet: those of one solid or of one empty voxel",
-              args->pair, {"solid", "empty"})
       .action([args](Session& session) { return voxelize_file(*args, session); });
+  add_voxel_options(command, *args);
+  return command;
 }
 
 }  // namespace plico::cli

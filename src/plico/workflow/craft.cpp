@@ -188,6 +188,7 @@ HandWork hand_work(const CraftResult& result) {
 
 nlohmann::json craft_report(const Mesh& mesh, const CraftResult& result) {
   const LayoutReport& layout = result.layout.report;
+  const HandWork work = hand_work(result);
   nlohmann::json report = {
       {"faces", mesh.num_faces()},
       {"components", components(mesh).count},
@@ -200,8 +201,8 @@ nlohmann::json craft_report(const Mesh& mesh, const CraftResult& result) {
       {"scale_mm_per_unit", layout.scale},
       {"fill_ratio", layout.fill_ratio},
       {"tabs", layout.tabs.tabs.size()},
-      {"edges", hand_work(result).edges},
-      {"edges_under_5_mm", hand_work(result).small},
+      {"edges", work.edges},
+      {"edges_under_5_mm", work.small},
       {"seams_without_tab", layout.tabs.omitted + layout.tabs.short_seams},
       {"pages_verified", result.layout_verdict.sound()},
   };

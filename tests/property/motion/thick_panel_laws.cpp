@@ -151,8 +151,8 @@ TEST_P(ThickChains, TheProofAndTheCheckAgreeWithTenThousandSamplesOfBoxes) {
     }
     (proof.verdict == PathVerdict::Free ? free : collided)++;
   }
-  EXPECT_GT(free, num_cases(10) / 2);
-  EXPECT_GT(collided, num_cases(10) / 2);
+  EXPECT_GT(free, kSanitized ? 0 : 10);
+  EXPECT_GT(collided, kSanitized ? 0 : 10);
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "effort.h"
 #include "plico/base/error.h"
 #include "plico/motion/clear_trees.h"
 #include "plico/verify/net.h"
@@ -75,7 +74,6 @@ TEST(FoldableNet, AnOverlapShallowerThanTheClearanceIsNoNet) {
 }
 
 TEST(ClearTrees, NoNetOfTheSpikyCubeFoldsLinearlyButAPlannerFoldsOne) {
-  if (kSanitized) GTEST_SKIP() << "takes minutes";
   const Mesh spiky = spiky_cube();
   const NetAndMotion found = fold_or_plan(spiky);
   EXPECT_TRUE(found.net.proven_impossible);

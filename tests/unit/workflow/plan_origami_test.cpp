@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include "effort.h"
 #include "plico/base/error.h"
 #include "plico/origami/bases.h"
 #include "plico/origami/closure.h"
@@ -91,7 +90,6 @@ TEST(PlanOrigami, WhatIsBlockedStraightOnIsFoldedInAnotherOrder) {
 }
 
 TEST(PlanOrigami, TheSailboatFolds) {
-  if (kSanitized) GTEST_SKIP() << "MdFrog.FoldsTheSailboatInOrder takes the same way";
   const MotionOutcome outcome = plan_origami(sailboat());
   EXPECT_EQ(outcome.ending, Ending::Found);
   ASSERT_TRUE(outcome.proven());
