@@ -9,6 +9,7 @@
 #include "plico/base/error.h"
 #include "plico/fabricate/pieces.h"
 #include "plico/fabricate/split.h"
+#include "plico/geom/convex2.h"
 #include "plico/geom/polygon.h"
 #include "plico/mesh/segmentation.h"
 

@@ -11,6 +11,7 @@
 #include "plico/base/libm.h"
 #include "plico/fabricate/pieces.h"
 #include "plico/fabricate/place.h"
+#include "plico/geom/convex2.h"
 #include "plico/geom/polygon.h"
 
 namespace plico {

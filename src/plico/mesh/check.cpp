@@ -8,7 +8,6 @@
 #include <numeric>
 
 #include "plico/base/error.h"
-#include "plico/geom/polygon.h"
 #include "plico/geom/predicates.h"
 #include "plico/mesh/face_sides.h"
 #include "plico/mesh/self_intersections.h"

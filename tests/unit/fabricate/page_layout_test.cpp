@@ -5,7 +5,6 @@
 #include "fabricate_samples.h"
 #include "plico/base/error.h"
 #include "plico/fabricate/fabricate.h"
-#include "plico/geom/polygon.h"
 #include "plico/verify/page_layout.h"
 
 namespace plico {
