@@ -7,6 +7,7 @@
 #include <iterator>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "help.h"
 #include "parse.h"
@@ -36,6 +37,10 @@ Failure failure_of(const Error& error, ExitCode exit_code) {
   return {exit_code, error.code(), error.what(), error.where(), error.suggestion()};
 }
 
+Failure bug(const std::exception& error) {
+  return {kInternal, "internal/bug", error.what(), {}, "report this with the command line and the input"};
+}
+
 // The exception that is being handled, as a failure.
 Failure current_failure() {
   try {
@@ -49,8 +54,12 @@ Failure current_failure() {
   } catch (const std::bad_alloc&) {
     return {
         kMemory, "system/memory", "out of memory", {}, "use a mesh with fewer faces, or a machine with more memory"};
+  } catch (const std::system_error& error) {
+    if (error.code() != std::errc::resource_unavailable_try_again) return bug(error);
+    return {
+        kMemory, "system/threads", "the system gives no more threads", {}, "close other programs, or add --threads 1"};
   } catch (const std::exception& error) {
-    return {kInternal, "internal/bug", error.what(), {}, "report this with the command line and the input"};
+    return bug(error);
   }
 }
 

@@ -65,12 +65,7 @@ class Enumeration {
   enum State : char { Open, Joined, Barred };
 
   void shape_panels() {
-    Linkage loose;
-    for (const std::vector<Vec2>& outline : kit_.outlines) {
-      std::vector<Vec3>& panel = loose.panels.emplace_back();
-      for (const Vec2& corner : outline) panel.emplace_back(corner.x(), corner.y(), 0);
-    }
-    const Plates plates = make_plates(loose, options_.clearance);
+    const Plates plates = make_plates(loose_panels(kit_), options_.clearance);
     plates_.resize(kit_.num_panels());
     for (int i = 0; i < plates.size(); ++i)
       plates_[plates.panel[i]].emplace_back(plates.corners.begin() + plates.first[i],

@@ -7,6 +7,7 @@
 #include <new>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <system_error>
 
 #include "plico/base/error.h"
 #include "plico/workflow/jobs/session.h"
@@ -54,6 +55,8 @@ TEST(Program, EveryKindOfFailureHasItsExitCode) {
   EXPECT_EQ(run({throwing(std::logic_error("internal error"))}, {"act"}).exit_code, 70);
   EXPECT_EQ(run({throwing(std::bad_alloc())}, {"act"}).exit_code, 71);
   EXPECT_THAT(run({throwing(std::bad_alloc())}, {"act"}).err, StartsWith("plico: system/memory: out of memory"));
+  const std::system_error no_thread(std::make_error_code(std::errc::resource_unavailable_try_again));
+  EXPECT_EQ(run({throwing(no_thread)}, {"act"}).exit_code, 71);
   EXPECT_EQ(run({acting("act", [](Session&) { return int{kNo}; })}, {"act"}).exit_code, 1);
 }
 

@@ -25,6 +25,7 @@
 #include "plico/workflow/jobs/motion_report.h"
 #include "plico/workflow/jobs/read_sheet.h"
 #include "plico/workflow/jobs/session.h"
+#include "plico/workflow/show_proof.h"
 
 namespace plico::jobs {
 namespace {
@@ -100,27 +101,11 @@ std::string planner_of(const FoldFile& file) {
   return planner.empty() || planner == "linear" || planner == "uniform" ? planner : "planned";
 }
 
-ProofStatus status_of(const PathProof& proof) {
-  if (proof.interrupted) return ProofStatus::Unchecked;
-  switch (proof.verdict) {
-    case PathVerdict::Free:
-      return ProofStatus::Proven;
-    case PathVerdict::Collides:
-      return ProofStatus::Collides;
-    case PathVerdict::NotClosed:
-    case PathVerdict::Undecided:
-      break;
-  }
-  return ProofStatus::Undecided;
-}
-
 // Who shows a motion wants to know whether it folds; what the file says about that is a claim, so it is proven again.
 void add_proof(ViewerInput& page, Session& session) {
   const PathProof proof = prove_path(page.linkage, *page.path, {}, limited(session.run(), kProofSeconds));
-  page.proof = status_of(proof);
+  show_proof(page, proof);
   page.proof_note = motion_line(proof);
-  if (proof.verdict == PathVerdict::Collides)
-    page.collisions.push_back({proof.from, proof.to, proof.panel_a, proof.panel_b});
   session.report()["motion"] = motion_json(proof);
   session.say(fmt::format("motion: {}", motion_line(proof)));
 }
@@ -157,7 +142,7 @@ std::string bytes_for(const std::string& path, const LoadedMotion& motion, const
 }
 
 int export_file(const ExportArgs& args, Session& session) {
-  if (!(args.at >= 0 && args.at <= 1)) throw InvalidOption(fmt::format("at = {} must be in [0, 1]", args.at));
+  require(args.at >= 0 && args.at <= 1, "at", args.at, "in [0, 1]");
   const std::string default_path = args.file == "-" ? "sheet.html" : name_of(args.file) + ".html";
   const std::vector<std::string> outputs = session.outputs(default_path);
   const LoadedMotion motion = read_motion(args, session);

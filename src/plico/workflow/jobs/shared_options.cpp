@@ -37,7 +37,7 @@ std::vector<Option> with_shared_options(const Job& job, SharedOptions& shared) {
 }
 
 void check(const SharedOptions& shared) {
-  if (shared.threads < 0) throw InvalidOption(fmt::format("--threads = {} must be at least 0", shared.threads));
+  require(shared.threads >= 0, "--threads", shared.threads, "at least 0");
   const auto to_stdout = std::ranges::count(shared.outputs, "-") + (shared.report_file == "-") + shared.json;
   if (to_stdout > 1)
     throw InvalidOption("only one of -o -, --report - and --json can use standard output",
