@@ -141,6 +141,10 @@ CraftResult craft(const Mesh& mesh, const CraftOptions& options, const Run& run)
   run.report("laying out pages", 0);
   LayoutOptions layout = options.layout;
   layout.size.fill_page = true;
+  if (result.kit) {
+    layout.titles = part_titles(result.kit->parts.names, result.kit->pieces);
+    layout.seams = seams_of(mesh, *result.kit);
+  }
   result.layout = lay_out_pages(result.net, folded_shape(mesh), layout, run);
   result.layout_verdict = verify_layout(result.layout.layout);
   add_pages(options, result);

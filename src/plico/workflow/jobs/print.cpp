@@ -21,6 +21,7 @@
 #include "plico/workflow/jobs/print_options.h"
 #include "plico/workflow/jobs/read_sheet.h"
 #include "plico/workflow/jobs/session.h"
+#include "plico/workflow/parts_file.h"
 
 namespace plico::jobs {
 namespace {
@@ -84,6 +85,15 @@ int print(const NetArgs& args, Session& session) {
   for (const std::string& path : outputs) require_kind(path);
   FoldFile file = read_sheet(args.net, session);
   options.size.fill_page = file.unit == "unit";  // a file in millimetres says how large it is
+  if (const auto parts = parts_claim(file)) {
+    options.titles = part_titles(parts->names, parts->pieces);
+    options.seams = parts->seam;
+    if (static_cast<int>(options.titles.size()) != file.net.num_parts())
+      throw InvalidInput(
+          "fold/parts",
+          fmt::format("plico:parts tells of {} pieces, the net has {}", options.titles.size(), file.net.num_parts()),
+          args.net);
+  }
   const LayoutResult result = lay_out_pages(file.net, shape_of(file), options, session.run());
   const LayoutVerdict verdict = verify_layout(result.layout);
   session.report()["print"] = json_of(result.report);
