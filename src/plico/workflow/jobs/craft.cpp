@@ -74,8 +74,7 @@ void print_result(const Session& session, const std::string& folder, const Craft
   session.print("\n");
 }
 
-Mesh mesh_to_craft(const CraftArgs& args, Session& session) {
-  Mesh mesh = read_mesh(args.mesh, args.repair, session);
+Mesh mesh_to_craft(Mesh mesh, const CraftArgs& args, Session& session) {
   if (args.faces == 0) return args.coplanar == "join" ? with_flat_regions_whole(std::move(mesh), session) : mesh;
   SimplifiedMesh simple = simplify_mesh(mesh, kept_sharp(args.faces));
   session.report()["simplified"] = {{"faces_before", simple.faces_before}, {"distance", simple.distance}};
@@ -97,9 +96,10 @@ void warn_of_small_edges(const Session& session, const CraftResult& result) {
 }
 
 int craft_file(const CraftArgs& args, Session& session) {
-  craft_options(args, session);  // wrong ones are told before the folder is made
+  craft_options(args, session);  // what is wrong is told before the folder is made
+  Mesh given = read_mesh(args.mesh, args.repair, session);
   const std::string folder = session.output_folder(stem(args.mesh));
-  const Mesh mesh = mesh_to_craft(args, session);
+  const Mesh mesh = mesh_to_craft(std::move(given), args, session);
   const CraftResult result = craft(mesh, craft_options(args, session), session.run());
   for (const CraftFile& file : result.files) session.write(folder + "/" + file.name, file.bytes);
   session.report()["craft"] = craft_report(mesh, result);
