@@ -26,6 +26,7 @@ export interface Hinge {
   from: [number, number, number];
   to: [number, number, number];
   target: number;
+  roll?: number; // of a thick hinge: half the thickness; beyond 90 degrees it turns about the line of contact
 }
 
 export type Kind = 'mountain' | 'valley' | 'flat';
@@ -74,6 +75,20 @@ function rotationAbout(from: readonly number[], to: readonly number[], angle: nu
   return m;
 }
 
+// The motion of one panel of a hinge, seen from the other: as turn() in src/plico/fold/linkage.cpp.
+function turnOf(hinge: Hinge, foldAngle: number, rightMoves: boolean): Pose {
+  const { from, to } = hinge;
+  const roll = hinge.roll ?? 0;
+  const angle = rightMoves ? -foldAngle : foldAngle;
+  const quarter = (Math.sign(angle) * Math.PI) / 2;
+  if (roll === 0 || Math.abs(angle) <= Math.PI / 2) return rotationAbout(from, to, angle);
+  const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
+  const side = ((rightMoves ? 1 : -1) * roll) / length;
+  const shift = [-(to[1] - from[1]) * side, (to[0] - from[0]) * side, Math.sign(foldAngle) * roll];
+  const contact = (p: readonly number[]): number[] => p.map((x, i) => x + shift[i]!);
+  return compose(rotationAbout(contact(from), contact(to), angle - quarter), rotationAbout(from, to, quarter));
+}
+
 export function angleAt(keys: { times: number[]; angles: number[] }, time: number): number {
   const { times, angles } = keys;
   if (time <= times[0]!) return angles[0]!;
@@ -111,7 +126,7 @@ export class Model {
       }
       const hinge = hinges[h]!;
       const angle = angleAt(keys[h]!, time);
-      const turn = rotationAbout(hinge.from, hinge.to, p === hinge.right ? -angle : angle);
+      const turn = turnOf(hinge, angle, p === hinge.right);
       poses[p] = compose(poses[parentPanel[p]!]!, turn);
     }
     return poses;

@@ -39,12 +39,14 @@ void add_panels(Json& data, const Linkage& linkage) {
 
 void add_tree(Json& data, const Linkage& linkage) {
   data["hinges"] = Json::array();
-  for (const Hinge& hinge : linkage.hinges)
+  for (const Hinge& hinge : linkage.hinges) {
     data["hinges"].push_back({{"left", hinge.left},
                               {"right", hinge.right},
                               {"from", list(hinge.from)},
                               {"to", list(hinge.to)},
                               {"target", hinge.target}});
+    if (hinge.roll > 0) data["hinges"].back()["roll"] = hinge.roll;
+  }
   data["order"] = linkage.order;
   data["parentPanel"] = linkage.parent_panel;
   data["parentHinge"] = linkage.parent_hinge;
