@@ -9,7 +9,7 @@ namespace plico {
 namespace {
 
 constexpr int kMostEdges = 8;    // exchanged at once
-constexpr long kStall = 30'000;  // exchanges without progress before a fresh start
+constexpr long kStall = 60'000;  // exchanges without progress before a fresh start
 constexpr int kPollEvery = 256;  // exchanges
 
 // One chain over one boustrophedon of one height, and how far it gets.
@@ -26,10 +26,11 @@ class Attempt {
   const PileReach& reach() const { return reach_; }
   bool fits() const { return reach_.fits; }
 
-  // One random exchange near the pile where the chain fails; true when it got farther.
+  // One random exchange near the pile where the chain fails; true when it got farther. Slots that were left empty came
+  // before, so the panel that fails is that much nearer to the beginning.
   bool improve(Rng& rng) {
     const int back = rng.below(3), h = fit_.height();
-    const int fixed = std::max(0, (reach_.piles - back) * h - 1 - rng.below(h));
+    const int fixed = std::max(0, (reach_.piles - back) * h - 1 - reach_.waste - rng.below(h));
     const int end = std::min(panels_, (reach_.piles + 1) * h);
     const int start = fixed + rng.below(std::max(1, end - fixed));
     const int first = exchange_.exchange(std::min(start, panels_ - 1), fixed, kMostEdges, rng);
@@ -145,10 +146,14 @@ Attempt best_cut(Search& search, int height) {
   return best;
 }
 
+// The lowest height is tried first and every second time; in between one halfway, so that a chain that does not become
+// perfect becomes better.
 void exchange_squares(Search& search) {
   CompactResult& result = search.result;
+  bool halfway = false;
   while (search.height() > search.floor && result.exchanges < search.options.exchanges && !search.run.over()) {
-    Attempt attempt = best_cut(search, search.floor);
+    Attempt attempt = best_cut(search, search.floor + (halfway ? (search.height() - search.floor) / 2 : 0));
+    halfway = !halfway;
     for (long idle = 0; idle < kStall && !attempt.fits() && result.exchanges < search.options.exchanges; ++idle) {
       if (++result.exchanges % kPollEvery == 0 && search.run.over()) break;
       if (attempt.improve(search.rng)) idle = 0;

@@ -25,7 +25,7 @@ struct CompactOptions {
   int width = 1, depth = 1;     // of the base in panels, each at least 1
   int height = 0;               // layers that are low enough; 0: as few as panels / base allows
   int cuts = 2000;              // looked at, at least 1
-  long exchanges = 40'000'000;  // tried, at least 0
+  long exchanges = 10'000'000;  // tried, at least 0
 };
 
 struct CompactResult {

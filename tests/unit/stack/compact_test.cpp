@@ -65,6 +65,17 @@ TEST(CompactStack, FillsBlocksToTheIdealLayers) {
   }
 }
 
+// More empty slots than a pile has layers: all of them may be left in the first piles.
+TEST(CompactStack, ReachesTheIdealWhereTheBlockHasRoomToSpare) {
+  const SquareGraph graph = torus_squares(20, 20);
+  for (std::uint64_t seed : {1, 2}) {
+    const CompactResult result =
+        compact_stack(graph, torus_cycle(20, 20), true, {.seed = seed, .width = 7, .depth = 7, .exchanges = 2'000'000});
+    expect_stack(graph, result.best, 7, 7);
+    EXPECT_EQ(result.best.box.height, 9) << seed;
+  }
+}
+
 TEST(CompactStack, TheSameSeedGivesTheSameStack) {
   const SquareGraph graph = torus_squares(10, 10);
   const CompactOptions options{.seed = 5, .width = 4, .depth = 4};
