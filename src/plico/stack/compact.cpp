@@ -181,7 +181,8 @@ int ideal_layers(int panels, int width, int depth) {
 CompactResult compact_stack(const SquareGraph& graph, const std::vector<int>& cycle, bool closed,
                             const CompactOptions& options, const Run& run) {
   check(options, graph.size());
-  Search search{graph, cycle, closed, options, run, Rng(options.seed), {}};
+  const bool closes = closed && graph.side_to(cycle.back(), cycle.front()) >= 0;
+  Search search{graph, cycle, closes, options, run, Rng(options.seed), {}};
   search.floor = std::max(options.height, ideal_layers(graph.size(), options.width, options.depth));
   first_stack(search);
   try_cuts(search);

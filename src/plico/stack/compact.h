@@ -36,8 +36,8 @@ struct CompactResult {
 
 int ideal_layers(int panels, int width, int depth);
 
-// `cycle` visits every square of `graph` once; with `closed` its last square is a neighbour of the first, so that it
-// may be cut anywhere. There always is a result: one pile. Throws InvalidOption or InvalidInput.
+// `cycle` visits every square of `graph` once; with `closed` it may be cut anywhere, if its last square is a neighbour
+// of the first. There always is a result: one pile. Throws InvalidOption or InvalidInput.
 CompactResult compact_stack(const SquareGraph& graph, const std::vector<int>& cycle, bool closed,
                             const CompactOptions& options = {}, const Run& run = {});
 

@@ -15,12 +15,6 @@ namespace {
 constexpr char kChainKey[] = "plico:chain";
 constexpr double kPrintGap = 0.02;  // of the thickness
 
-SquareGraph graph_of(const VoxelShell& shell) {
-  SquareGraph graph;
-  for (const ShellSquare& square : shell.squares) graph.neighbours.push_back(square.neighbor);
-  return graph;
-}
-
 // The strip, vertex by vertex beside its place in the shape.
 class StripBuilder {
  public:

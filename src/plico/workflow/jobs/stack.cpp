@@ -86,13 +86,9 @@ int stack_file(const StackArgs& args, Session& session) {
   const VoxelMesh voxels = read_voxels(args, session);
   const JudgedCycle cycle = judged_cycle(voxels, {.seed = session.seed()}, session.run());
   if (!cycle.verdict.valid()) return kInternal;
-  if (cycle.found.ending != Ending::Found) {
-    session.warn(
-        fmt::format("no cycle through all {} squares was found, {} cycles are left; with --refine 2 there is one",
-                    voxels.shell.size(), cycle.found.left));
-    return Session::exit_code(cycle.found.ending);
-  }
-  const StackedChain chain = stack_voxels(voxels, cycle.found.cycle, options, session.run());
+  if (cycle.found.ending != Ending::Found) session.warn(no_cycle_text(voxels, cycle));
+  if (cycle.walk().empty()) return Session::exit_code(cycle.found.ending);
+  const StackedChain chain = stack_voxels(voxels, cycle.walk(), options, session.run());
   report_stack(session, voxels, chain);
   if (!chain.verdict.valid()) return kInternal;
   for (const std::string& path : outputs) write_chain(session, path, voxels, chain);
