@@ -197,17 +197,21 @@ CompactResult compact_stack(const SquareGraph& graph, const std::vector<int>& cy
 
 double size_sum(const StackBox& box, double thickness) { return box.width + box.depth + thickness * box.height; }
 
-StackBox best_base(int panels, double thickness) {
-  StackBox best{1, 1, panels};
-  for (int width = 1; static_cast<long>(width) * width <= panels; ++width) {
-    for (int depth = width; static_cast<long>(width) * depth <= panels; ++depth) {
-      if (width + depth > size_sum(best, thickness)) break;
+std::optional<StackBox> best_base_in(const StackBox& room, int panels, double thickness) {
+  const auto [narrow, wide] = std::minmax(room.width, room.depth);
+  std::optional<StackBox> best;
+  for (int width = 1; width <= narrow && static_cast<long>(width) * width <= panels; ++width) {
+    for (int depth = width; depth <= wide && static_cast<long>(width) * depth <= panels; ++depth) {
+      if (best && width + depth > size_sum(*best, thickness)) break;
       const StackBox box{width, depth, ideal_layers(panels, width, depth)};
+      if (box.height > room.height) continue;
       // Of bases that are equally good, the one with the lower piles.
-      if (size_sum(box, thickness) <= size_sum(best, thickness) * (1 + 1e-12)) best = box;
+      if (!best || size_sum(box, thickness) <= size_sum(*best, thickness) * (1 + 1e-12)) best = box;
     }
   }
   return best;
 }
+
+StackBox best_base(int panels, double thickness) { return *best_base_in({panels, panels, panels}, panels, thickness); }
 
 }  // namespace plico

@@ -6,6 +6,7 @@
 //    (PathExchange), and what gets at least as far is kept, until the block is full.
 #pragma once
 #include <cstdint>
+#include <optional>
 
 #include "plico/base/run.h"
 #include "plico/stack/path_exchange.h"
@@ -44,7 +45,10 @@ CompactResult compact_stack(const SquareGraph& graph, const std::vector<int>& cy
 // W + D + H of a stack of panels that are `thickness` thick, in panel sides.
 double size_sum(const StackBox& box, double thickness);
 
-// The base with the least W + D + t H for ideal layers, W <= D; `most` bounds W, D. The smooth optimum is cbrt(t n).
+// The base with the least W + D + t H for ideal layers, W <= D. The smooth optimum is cbrt(t n).
 StackBox best_base(int panels, double thickness);
+
+// The same among those that fit into a block of slots, either way round; empty when there is none.
+std::optional<StackBox> best_base_in(const StackBox& room, int panels, double thickness);
 
 }  // namespace plico

@@ -108,5 +108,15 @@ TEST(CompactStack, TheBestBaseIsThatOfTheStudy) {
   EXPECT_EQ(best_base(2206, 0.2), (StackBox{8, 8, 35}));
 }
 
+TEST(CompactStack, TheBestBaseInABlockFitsIntoItEitherWayRound) {
+  for (const StackBox& room : {StackBox{8, 3, 100}, StackBox{3, 8, 100}}) {
+    const std::optional<StackBox> base = best_base_in(room, 2206, 0.2);
+    ASSERT_TRUE(base);
+    EXPECT_EQ(*base, (StackBox{3, 8, 92}));
+  }
+  EXPECT_EQ(best_base_in({20, 20, 30}, 2206, 0.2), (StackBox{9, 9, 28}));
+  EXPECT_FALSE(best_base_in({8, 3, 91}, 2206, 0.2));
+}
+
 }  // namespace
 }  // namespace plico
