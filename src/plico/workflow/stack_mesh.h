@@ -24,7 +24,7 @@ struct StackedChain {
   double compactness = 0, volume_ratio = 0, slots_per_panel = 0;  // R14, held against the voxels
 };
 
-// `cycle` visits every square of the shell once. Throws InvalidOption.
+// `cycle` visits every square of the shell once; it need not close. Throws InvalidOption.
 StackedChain stack_voxels(const VoxelMesh& voxels, const std::vector<int>& cycle, const StackMeshOptions& options,
                           const Run& run = {});
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -20,7 +21,7 @@ namespace plico::jobs {
 namespace {
 
 struct StackArgs : VoxelArgs {
-  std::string base = "auto", motion;
+  std::string base = "auto", box, motion;
   double thickness = 0.1;
 };
 
@@ -33,6 +34,42 @@ void read_base(const std::string& text, StackMeshOptions& options) {
   const auto depth = crossed ? std::from_chars(width.ptr + 1, end, options.depth) : width;
   if (!crossed || depth.ec != std::errc{} || depth.ptr != end || options.width < 1 || options.depth < 1)
     throw InvalidOption(fmt::format("base = {} must be auto or WxD, as 6x6, each at least 1", text));
+}
+
+// The three lengths of "6x6x4.5", in the mesh's unit.
+Vec3 read_box(const std::string& text) {
+  Vec3 box = Vec3::Zero();
+  const char *at = text.data(), *end = at + text.size();
+  bool good = true;
+  for (int i = 0; i < 3 && good; ++i) {
+    if (i > 0) good = at != end && *at++ == 'x';
+    const auto read = std::from_chars(at, end, box[i]);
+    good = good && read.ec == std::errc{} && std::isfinite(box[i]) && box[i] > 0;
+    at = read.ptr;
+  }
+  if (!good || at != end) throw InvalidOption(fmt::format("box = {} must be WxDxH, as 6x6x4.5, each above 0", text));
+  return box;
+}
+
+// Chooses the best base whose ideal stack fits into the box; how many layers do.
+int choose_base_in_box(const StackArgs& args, const VoxelMesh& voxels, StackMeshOptions& options) {
+  if (args.base != "auto") throw InvalidOption("a base and a box exclude each other", "--box only");
+  const Vec3 box = read_box(args.box);
+  const double side = voxels.solid.side;
+  const int panels = voxels.shell.size();
+  const auto count = [&](double length, double unit) {
+    return static_cast<int>(std::min<double>(std::floor(length / unit + 1e-9), panels));
+  };
+  const StackBox room{count(box.x(), side), count(box.y(), side), count(box.z(), side * args.thickness)};
+  const std::optional<StackBox> base = best_base_in(room, panels, args.thickness);
+  if (!base)
+    throw InvalidOption(fmt::format(
+        "box = {} has room for {} x {} panels in {} layers, not for the {} of the chain, which need a "
+        "volume of at least {:.4g}",
+        args.box, room.width, room.depth, room.height, panels, panels * args.thickness * side * side * side));
+  options.width = base->width;
+  options.depth = base->depth;
+  return room.height;
 }
 
 void check_stack_output(const std::string& path) {
@@ -122,21 +159,22 @@ int stack_file(StackArgs& args, Session& session) {
   read_base(args.base, options);
   require(args.thickness > 0 && args.thickness < 0.5, "thickness", args.thickness, "above 0 and below 0.5 voxel sides");
   const VoxelMesh voxels = read_voxels(args, session);
+  const int most_layers = args.box.empty() ? voxels.shell.size() : choose_base_in_box(args, voxels, options);
   const JudgedCycle cycle = judged_cycle(voxels, {.seed = session.seed()}, session.run());
   if (!cycle.verdict.valid()) return kInternal;
-  if (cycle.found.ending != Ending::Found) {
-    session.warn(
-        fmt::format("no cycle through all {} squares was found, {} cycles are left; with --refine 2 there is one",
-                    voxels.shell.size(), cycle.found.left));
-    return Session::exit_code(cycle.found.ending);
-  }
-  StackedChain chain = stack_voxels(voxels, cycle.found.cycle, options, session.run());
+  if (cycle.found.ending != Ending::Found) session.warn(no_cycle_text(voxels, cycle));
+  if (cycle.walk().empty()) return Session::exit_code(cycle.found.ending);
+  StackedChain chain = stack_voxels(voxels, cycle.walk(), options, session.run());
   const std::optional<StackMotion> motion = find_motion(args, voxels, options, chain, session);
   report_stack(session, voxels, chain);
   if (motion) report_motion(session, *motion, args.motion);
   if (!chain.verdict.valid() || (motion && motion->verdict.verdict == PathVerdict::Collides)) return kInternal;
   for (const std::string& path : outputs) write_chain(session, path, voxels, chain, motion);
   if (motion && motion->ending != Ending::Found) return Session::exit_code(motion->ending);
+  if (chain.verdict.height > most_layers) {
+    session.warn(fmt::format("the box has room for {} layers; no stack as low as that was found", most_layers));
+    return Session::exit_code(chain.found.ending);
+  }
   // A stack with more layers than the ideal is an answer, too.
   return chain.found.ending == Ending::Exhausted ? kDone : Session::exit_code(chain.found.ending);
 }
@@ -159,6 +197,8 @@ Job stack_job() {
           "plan and prove how the stack unfolds: into one pile, or on into the shape; a page (.html) asks for shape",
           args->motion, {"none", "pile", "shape"})
       .option("--base", "WxD", "of the stack, in panels; auto: the base with the least W + D + H", args->base)
+      .option("--box", "WxDxH", "the stack must fit into it, in the mesh's unit; its base is the best that does",
+              args->box)
       .action([args](Session& session) { return stack_file(*args, session); });
   add_voxel_options(job, *args);
   return job;
