@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -14,6 +13,7 @@
 #include "plico/verify/inflation.h"
 #include "read_mesh.h"
 #include "session.h"
+#include "share.h"
 
 namespace plico::cli {
 namespace {
@@ -24,17 +24,6 @@ struct InflateArgs {
   bool uniform = false;
   InflateOptions options;
 };
-
-// "12" or "12%" of `whole`.
-double share_or_number(const std::string& option, const std::string& word, double whole) {
-  const bool percent = word.ends_with('%');
-  const char* last = word.data() + word.size() - (percent ? 1 : 0);
-  double value = 0;
-  const auto [end, error] = std::from_chars(word.data(), last, value);
-  if (error != std::errc() || end != last || !(value >= 0 && value <= 1e9))
-    throw InvalidOption(fmt::format("{} = {} must be a number of at least 0, or one with %", option, word));
-  return percent ? value / 100 * whole : value;
-}
 
 std::vector<FaceId> kept_faces(const std::vector<std::string>& words) {
   std::vector<FaceId> faces;

@@ -4,6 +4,7 @@
 // [--quick]
 #include <cmath>
 
+#include "figure.h"
 #include "plico/base/error.h"
 #include "plico/inflate/inflate.h"
 #include "plico/io/mesh/mesh_file.h"
@@ -93,22 +94,10 @@ void curve(bench::Table& table, bench::Plot& plot, const NamedMesh& named, bool 
   plot.add(std::move(curve));
 }
 
-// Takes --figure FILE.svg out of the arguments.
-std::string figure_of(int& argc, char** argv) {
-  for (int i = 1; i + 1 < argc; ++i)
-    if (std::string_view(argv[i]) == "--figure") {
-      const std::string path = argv[i + 1];
-      std::move(argv + i + 2, argv + argc, argv + i);
-      argc -= 2;
-      return path;
-    }
-  return {};
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::string figure = figure_of(argc, argv);
+  const std::string figure = bench::figure_of(argc, argv);
   const bench::Arguments arguments = bench::arguments(argc, argv);
   const std::vector<NamedMesh> meshes = dented_meshes(arguments.meshes);
   bench::Table all("Closed meshes with more than 20 % hyperbolic vertices, the volume may change by 5 %",
