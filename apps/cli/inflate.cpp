@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -27,7 +28,12 @@ struct InflateArgs {
 
 std::vector<FaceId> kept_faces(const std::vector<std::string>& words) {
   std::vector<FaceId> faces;
-  for (const std::string& word : words) faces.emplace_back(static_cast<int>(share_or_number("keep", word, 0)));
+  for (const std::string& word : words) {
+    const double number = share_or_number("keep", word, 1);
+    if (word.ends_with('%') || number != std::floor(number))
+      throw InvalidOption(fmt::format("keep = {} must be the number of a face, from 0", word));
+    faces.emplace_back(static_cast<int>(number));
+  }
   return faces;
 }
 
