@@ -29,11 +29,32 @@ Eigen::AlignedBox3d grown_box(const ConvexPolyhedron& body) {
   return {box.min() - reach, box.max() + reach};
 }
 
-// A plane between two shells whose boxes are apart or that a plane parts anyway, strictly.
+bool is_strictly_below(const std::vector<Vec3>& points, const std::vector<Plane>& planes) {
+  return std::all_of(points.begin(), points.end(), [&](const Vec3& p) {
+    return std::all_of(planes.begin(), planes.end(), [&](const Plane& plane) { return side_of_plane(plane, p) < 0; });
+  });
+}
+
+// Across the widest gap of their boxes.
+Plane plane_between_boxes(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b) {
+  Plane best;
+  double widest = -INFINITY;
+  for (int axis = 0; axis < 3; ++axis)
+    for (double sign : {1.0, -1.0}) {
+      const double low = sign > 0 ? a.max()[axis] : -a.min()[axis], high = sign > 0 ? b.min()[axis] : -b.max()[axis];
+      if (high - low <= widest) continue;
+      widest = high - low;
+      best = {sign * Vec3::Unit(axis), (low + high) / 2};
+    }
+  return best;
+}
+
+// Of two shells whose boxes are apart: the first strictly below, the second strictly above. In the middle of the gap
+// between their facets if there is one.
 Plane plane_between(const ConvexPolyhedron& a, const ConvexPolyhedron& b) {
-  if (const auto plane = separating_plane(a, b, 0)) return *plane;
-  const Vec3 way = (centroid(b) - centroid(a)).normalized();
-  return {way, (extent(a.points, way).second + extent(b.points, way).first) / 2};
+  const auto plane = separating_plane(a, b, 0);
+  if (plane && is_strictly_below(a.points, {*plane}) && is_strictly_below(b.points, {plane->flipped()})) return *plane;
+  return plane_between_boxes(bounding_box(a.points), bounding_box(b.points));
 }
 
 // Shells that were far apart may come close when they grow: a plane for each of these pairs, too.
@@ -63,12 +84,6 @@ ShellRoom room_of(const Shells& shells, int s, double diagonal) {
                            }) >= 3);
   }
   return room;
-}
-
-bool is_strictly_below(const std::vector<Vec3>& points, const std::vector<Plane>& planes) {
-  return std::all_of(points.begin(), points.end(), [&](const Vec3& p) {
-    return std::all_of(planes.begin(), planes.end(), [&](const Plane& plane) { return side_of_plane(plane, p) < 0; });
-  });
 }
 
 void add(const ConvexPolyhedron& body, FatSum& sum) {
