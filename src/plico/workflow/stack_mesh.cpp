@@ -105,6 +105,11 @@ double shape_size(const VoxelShell& shell) {
   return (high - low).sum();
 }
 
+// A walk that ends beside its start may be cut anywhere.
+bool is_closed(const SquareGraph& graph, const std::vector<int>& walk) {
+  return std::ranges::count(graph.neighbours[walk.front()], walk.back()) > 0;
+}
+
 }  // namespace
 
 SquareGraph graph_of(const VoxelShell& shell) {
@@ -134,7 +139,7 @@ StackedChain stack_voxels(const VoxelMesh& voxels, const std::vector<int>& cycle
       options.width > 0 ? StackBox{options.width, options.depth, 0} : best_base(graph.size(), options.thickness);
   const CompactOptions how{
       .seed = options.seed, .width = base.width, .depth = base.depth, .exchanges = options.exchanges};
-  return stacked_chain(voxels, compact_stack(graph, cycle, true, how, run), options.thickness);
+  return stacked_chain(voxels, compact_stack(graph, cycle, is_closed(graph, cycle), how, run), options.thickness);
 }
 
 FoldFile chain_file(const ChainClaim& claim) {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "job.h"
 #include "plico/fabricate/fabricate.h"
 #include "plico/io/page/drawing.h"
+#include "plico/workflow/jobs/job.h"
 
 namespace plico::jobs {
 
