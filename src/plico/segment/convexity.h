@@ -26,7 +26,7 @@ void check(const ConvexityOptions& options);  // throws InvalidOption naming fie
 // them in the bound; otherwise the result does not depend on the number of threads.
 std::vector<int> cut_by_convexity(const Mesh& mesh, const ConvexityOptions& options = {}, const Run& run = {});
 
-inline constexpr int kSmallMesh = 3000;
+inline constexpr int kSmallMesh = 1000;
 inline constexpr double kPricePerPart = 0.25;  // diagonals: a kit of one part less may have so much more seam
 
 }  // namespace plico
