@@ -18,6 +18,17 @@ export interface PageData {
   collisions: { begin: number; end: number; panels: [number, number] }[];
   report: Record<string, unknown> | null;
   links: { label: string; href: string }[];
+  pictures: { caption: string; png: string }[]; // base64
+  folded: number; // the moment from which folded pieces are put together; 1 when they are not
+  home: Home[]; // of each panel; empty when pieces stay where they fold
+}
+
+// How a folded piece comes to where it belongs: it turns about its centre while that moves.
+export interface Home {
+  axis: [number, number, number];
+  angle: number;
+  centre: [number, number, number];
+  shift: [number, number, number];
 }
 
 export interface Hinge {
@@ -104,6 +115,13 @@ export function angleAt(keys: { times: number[]; angles: number[] }, time: numbe
   return (1 - s) * angles[low]! + s * angles[high]!;
 }
 
+function onTheWay(home: Home, share: number): Pose {
+  const { axis, angle, centre, shift } = home;
+  const m = rotationAbout(centre, centre.map((c, i) => c + axis[i]!), share * angle);
+  for (let i = 0; i < 3; i++) m[9 + i]! += share * shift[i]!;
+  return m;
+}
+
 export class Model {
   readonly hingesOf: number[][]; // of each panel
   constructor(readonly data: PageData) {
@@ -129,7 +147,9 @@ export class Model {
       const turn = turnOf(hinge, angle, p === hinge.right);
       poses[p] = compose(poses[parentPanel[p]!]!, turn);
     }
-    return poses;
+    const { home, folded } = this.data;
+    const share = (time - folded) / (1 - folded);
+    return home.length > 0 && share > 0 ? poses.map((pose, p) => compose(onTheWay(home[p]!, share), pose)) : poses;
   }
 
   // Corners of all panels at a time, panel by panel: x, y, z, ...

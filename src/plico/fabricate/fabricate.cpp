@@ -297,8 +297,10 @@ LayoutResult lay_out_pages(const Unfolding& model_net, const FoldedShape& shape,
   layout.parts = Assembler(sides, outlines, report.tabs, placed, shape, titles, options).parts();
   add_marks(layout, sides, outlines, options.marks);
   run.report("writing labels", 0);
+  report.joints_unnamed = write_joints(layout, options.joints, net.part, placed.placements, Font());
   report.labels =
       add_labels(layout, seam_names(sides, outlines, report.tabs, titles, options.seams), Font(), options.labels);
+  draw_joints(layout, options.joints, net.part, placed.placements);
   report.pages = static_cast<int>(layout.pages.size());
   report.parts = static_cast<int>(layout.parts.size());
   report.fill_ratio = placed.fill_ratio;

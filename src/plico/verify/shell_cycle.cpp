@@ -58,9 +58,9 @@ std::string text(const Square& s) {
                      "xyz"[s.second / 2]);
 }
 
-class Judge {
+class CycleJudge {
  public:
-  Judge(const VoxelGrid& grid, Pairing pairing) : pairing_(pairing), boundary_(boundary_of(grid)) {
+  CycleJudge(const VoxelGrid& grid, Pairing pairing) : pairing_(pairing), boundary_(boundary_of(grid)) {
     for (const Square& square : boundary_)
       for (const Point& edge : edges_of(square)) ++at_edge_[edge];
     verdict_.squares = static_cast<int>(boundary_.size());
@@ -108,11 +108,11 @@ class Judge {
 }  // namespace
 
 CycleVerdict verify_shell_cycle(const VoxelGrid& grid, Pairing pairing, const std::vector<ShellSquare>& cycle) {
-  return Judge(grid, pairing).judge(cycle, true);
+  return CycleJudge(grid, pairing).judge(cycle, true);
 }
 
 CycleVerdict verify_shell_path(const VoxelGrid& grid, Pairing pairing, const std::vector<ShellSquare>& path) {
-  return Judge(grid, pairing).judge(path, false);
+  return CycleJudge(grid, pairing).judge(path, false);
 }
 
 }  // namespace plico

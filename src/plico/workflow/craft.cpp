@@ -7,6 +7,7 @@
 
 #include "plico/base/error.h"
 #include "plico/base/version.h"
+#include "plico/io/motion/png.h"
 #include "plico/io/motion/viewer.h"
 #include "plico/io/page/dxf.h"
 #include "plico/io/page/pdf.h"
@@ -14,6 +15,8 @@
 #include "plico/io/pattern/fold.h"
 #include "plico/mesh/measures.h"
 #include "plico/segment/given.h"
+#include "plico/verify/joints.h"
+#include "plico/workflow/kit_joints.h"
 #include "plico/workflow/kit_motion.h"
 #include "plico/workflow/parts_file.h"
 #include "plico/workflow/show_proof.h"
@@ -34,6 +37,12 @@ ProvePartOptions wanted_of_parts(const CraftOptions& options) {
   return wanted;
 }
 
+std::vector<JointClaim> claims_of(const std::vector<Joint>& joints) {
+  std::vector<JointClaim> claims;
+  for (const Joint& joint : joints) claims.push_back({joint.first_face, joint.second_face, joint.polygon});
+  return claims;
+}
+
 // A mesh in several pieces, or cut into parts, becomes a kit: every piece has its own net and motion.
 void find_kit(const Mesh& mesh, const CraftOptions& options, const Run& run, CraftResult& result) {
   run.report("looking for nets that fold", 0);
@@ -43,7 +52,9 @@ void find_kit(const Mesh& mesh, const CraftOptions& options, const Run& run, Cra
     cut.prove = wanted_of_parts(options);
     kit = segment_mesh(mesh, cut, run);
   } else {
-    kit = make_kit(mesh, by_components(mesh), wanted_of_parts(options), run);
+    kit = make_kit(mesh, options.pieces ? *options.pieces : by_components(mesh), wanted_of_parts(options), run);
+    kit.joints = options.joints;
+    result.joint_defects = verify_joints(mesh, claims_of(kit.joints));
   }
   result.ending = kit.ending;
   if (options.law) result.motion = motion_of_pieces(mesh, kit, run);
@@ -98,12 +109,20 @@ std::string fold_text(const Mesh& mesh, const CraftOptions& options, const Craft
   return write_fold(file);
 }
 
-std::string page_text(const CraftOptions& options, const CraftResult& result, const nlohmann::json& report) {
+// "assembled" of "NAME-assembled.png".
+std::string caption_of(const CraftOptions& options, const std::string& file) {
+  const std::size_t begin = options.name.size() + 1;
+  return file.substr(begin, file.size() - begin - 4);
+}
+
+std::string page_text(const Mesh& mesh, const CraftOptions& options, const CraftResult& result,
+                      const nlohmann::json& report) {
   ViewerInput page;
   page.title = options.name;
   page.linkage = linkage_of(result.net);
   page.report = report.dump();
   page.start = 1;  // the model, beside its net
+  if (result.kit && !result.kit->joints.empty() && result.motion) page.home = assembled(mesh, result.net);
   if (result.motion) {
     const PathProof& proof = result.motion->proof;
     page.path = result.motion->path;
@@ -112,6 +131,8 @@ std::string page_text(const CraftOptions& options, const CraftResult& result, co
     page.proof_note =
         fmt::format("{} pairs of panels examined over {} intervals of time", proof.pair_intervals, proof.intervals);
   }
+  for (const CraftFile& file : result.files)
+    if (file.name.ends_with(".png")) page.pictures.emplace_back(caption_of(options, file.name), file.bytes);
   for (const CraftFile& file : result.files) page.links.emplace_back(file.name, file.name);
   return viewer_page(page);
 }
@@ -128,11 +149,23 @@ void add_pages(const CraftOptions& options, CraftResult& result) {
   }
 }
 
+// The finished model, and its pieces apart.
+void add_pictures(const Mesh& mesh, const CraftOptions& options, CraftResult& result) {
+  const Linkage linkage = linkage_of(result.net);
+  PictureOptions picture;
+  picture.width = 900;
+  picture.height = 700;
+  picture.home = assembled(mesh, result.net);
+  result.files.push_back({options.name + "-assembled.png", render_png(linkage, goal(linkage), picture)});
+  picture.home = exploded(mesh, *result.kit);
+  result.files.push_back({options.name + "-exploded.png", render_png(linkage, goal(linkage), picture)});
+}
+
 }  // namespace
 
 CraftResult craft(const Mesh& mesh, const CraftOptions& options, const Run& run) {
   CraftResult result;
-  if (options.parts || (options.law && components(mesh).count > 1))
+  if (options.parts || options.pieces || (options.law && components(mesh).count > 1))
     find_kit(mesh, options, run, result);
   else
     find_net(mesh, options, run, result);
@@ -144,14 +177,16 @@ CraftResult craft(const Mesh& mesh, const CraftOptions& options, const Run& run)
   if (result.kit) {
     layout.titles = part_titles(result.kit->parts.names, result.kit->pieces);
     layout.seams = seams_of(mesh, *result.kit);
+    layout.joints = joint_facets(mesh, *result.kit, layout.titles);
   }
   result.layout = lay_out_pages(result.net, folded_shape(mesh), layout, run);
   result.layout_verdict = verify_layout(result.layout.layout);
   add_pages(options, result);
+  if (result.kit && !result.kit->joints.empty()) add_pictures(mesh, options, result);
   result.files.push_back({options.name + ".fold", fold_text(mesh, options, result)});
   const nlohmann::json report = craft_report(mesh, result);
   result.files.push_back({"report.json", report.dump(2) + "\n"});
-  result.files.push_back({"index.html", page_text(options, result, report)});
+  result.files.push_back({"index.html", page_text(mesh, options, result, report)});
   return result;
 }
 
@@ -197,6 +232,11 @@ nlohmann::json craft_report(const Mesh& mesh, const CraftResult& result) {
       {"pages_verified", result.layout_verdict.sound()},
   };
   if (result.kit) report["pieces"] = parts_json(mesh, *result.kit);
+  if (result.kit && !result.kit->joints.empty()) {
+    report["joints"] = joints_json(*result.kit);
+    report["joints_verified"] = result.joint_defects.empty();
+    report["joints_too_small_for_text"] = layout.joints_unnamed;
+  }
   if (result.motion)
     report["motion"] = {{"kind", result.motion_kind},
                         {"verdict", name(result.motion->proof.verdict)},

@@ -25,6 +25,9 @@ struct CraftOptions {
   // Cut into parts that fold instead of one net, as segment_mesh() does; its motion and seed follow from `law` and
   // `unfold`.
   std::optional<SegmentOptions> parts;
+  // The parts are given, and where they are glued face to face, as shell_pieces() makes them. Not with `parts`.
+  std::optional<Segmentation> pieces;
+  std::vector<Joint> joints;
   UnfoldOptions unfold;
   LayoutOptions layout;
   DrawOptions draw;
@@ -46,12 +49,13 @@ struct CraftResult {
   std::string why_no_motion;     // empty with one
   LayoutResult layout;
   LayoutVerdict layout_verdict;
+  std::vector<Defect> joint_defects;  // of the joints of the kit
   // NAME.pdf, NAME.svg (NAME-1.svg, ... for several pages), NAME.dxf, NAME.fold (with the motion), index.html,
-  // report.json
+  // report.json; of a kit with joints also pictures, NAME-assembled.png and NAME-exploded.png
   std::vector<CraftFile> files;
 
   bool proven() const { return motion && motion->proof.verdict == PathVerdict::Free; }
-  bool sound() const { return verdict.valid() && layout_verdict.sound(); }
+  bool sound() const { return verdict.valid() && layout_verdict.sound() && joint_defects.empty(); }
 };
 
 CraftResult craft(const Mesh& mesh, const CraftOptions& options = {}, const Run& run = {});

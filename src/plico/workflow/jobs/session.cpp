@@ -142,7 +142,7 @@ nlohmann::json Session::provenance() const {
           {"inputs", std::move(inputs)}};
 }
 
-std::string Session::repeat_job() const { return state_->command_line(false); }
+std::string Session::repeat_command() const { return state_->command_line(false); }
 
 void Session::repeat_with(const std::string& option, const std::string& value) {
   state_->repeat.emplace_back(option, value);
@@ -161,7 +161,7 @@ void Session::finish(int exit_code) {
   nlohmann::json& report = state_->report;
   report["plico"] = version();
   report["command"] = state_->job;
-  report["command_line"] = repeat_job();
+  report["command_line"] = repeat_command();
   report["options_given"] = options_given(state_->given);
   report["seed"] = state_->shared.seed;
   report["threads"] = run().threads;

@@ -82,7 +82,7 @@ class Session {
   nlohmann::json provenance() const;
 
   /// The command that repeats this run: what was given, the seed, and what `repeat_with` was told.
-  std::string repeat_job() const;
+  std::string repeat_command() const;
   /// When a run was cut short by time: the option that makes it end there again, as {"--max-generations", "120"}.
   void repeat_with(const std::string& option, const std::string& value);
 

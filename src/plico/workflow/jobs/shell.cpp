@@ -7,10 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "plico/base/error.h"
-#include "plico/convex/shape_parts.h"
-#include "plico/io/mesh/face_groups.h"
 #include "plico/io/mesh/mesh_file.h"
 #include "plico/workflow/jobs/jobs.h"
+#include "plico/workflow/jobs/read_shape.h"
 #include "plico/workflow/jobs/session.h"
 #include "plico/workflow/jobs/share.h"
 #include "plico/workflow/shell_shape.h"
@@ -45,20 +44,6 @@ void check_shell_usage(const ShellArgs& args) {
   if (args.by != "labels" && !args.labels.empty()) throw InvalidOption("--labels needs --by labels");
   if (args.shape == "-" && args.labels == "-")
     throw InvalidOption("only one of two files, read once, can be standard input");
-}
-
-// Groups of the file when there are several, otherwise what hangs together.
-std::vector<ShapePart> shape_parts(const ShellArgs& args, Session& session) {
-  const std::string bytes = session.read(args.shape);
-  const MeshSource source = read_mesh_source(bytes, args.shape);
-  const auto by = [&](const FaceGroups& groups) { return parts_by_groups(source.soup, groups.of_face, groups.names); };
-  if (args.by == "labels") return by(read_face_labels(session.read(args.labels), args.labels));
-  if (args.by == "groups") return by(read_obj_groups(bytes, args.shape));
-  if (args.by == "auto" && has_obj_groups(bytes)) {
-    const FaceGroups groups = read_obj_groups(bytes, args.shape);
-    if (groups.names.size() > 1) return by(groups);
-  }
-  return parts_by_components(source.soup);
 }
 
 json to_json(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
@@ -212,7 +197,7 @@ int run_shell(const ShellArgs& args, Session& session) {
   const RemeshOptions remeshing = remesh_options(args);
   const std::vector<std::string> outputs = session.outputs(default_shells_path(args.shape));
   for (const std::string& path : outputs) check_output(path);
-  const std::vector<ShapePart> parts = shape_parts(args, session);
+  const std::vector<ShapePart> parts = read_shape_parts(args.shape, args.by, args.labels, session);
   const JudgedShells judged = shell_shape(parts, options, session.run());
   session.report().update(report_of(parts, args, judged));
   if (parts.size() == 1)
