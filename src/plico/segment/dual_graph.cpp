@@ -1,13 +1,20 @@
 #include "plico/segment/dual_graph.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "plico/base/libm.h"
 #include "plico/mesh/measures.h"
 
 namespace plico {
+namespace {
+
+constexpr double kFineMesh = 2000;  // faces: from here on a valley is spread over several edges
+
+}  // namespace
 
 DualGraph::DualGraph(const Mesh& mesh) {
+  const double sharper = std::sqrt(std::max(1.0, static_cast<double>(mesh.num_faces()) / kFineMesh));
   for (FaceId f : mesh.faces()) {
     area_.push_back(plico::area(mesh, f));
     total_area_ += area_.back();
@@ -17,7 +24,7 @@ DualGraph::DualGraph(const Mesh& mesh) {
       const FaceId other = mesh.face(twin);
       const Vec3 middle = (mesh.point(mesh.from(h)) + mesh.point(mesh.to(h))) / 2;
       const EdgeId e = mesh.edge(h);
-      arcs_.push_back({other, length(mesh, e) * seam_factor(fold_angle(mesh, e)),
+      arcs_.push_back({other, length(mesh, e) * seam_factor(sharper * fold_angle(mesh, e)),
                        (center(mesh, f) - middle).norm() + (center(mesh, other) - middle).norm()});
     }
     first_.push_back(static_cast<int>(arcs_.size()));

@@ -10,8 +10,10 @@
 #include "plico/base/error.h"
 #include "plico/mesh/measures.h"
 #include "plico/segment/clusters.h"
+#include "plico/segment/coarse.h"
 #include "plico/segment/must_part.h"
 #include "plico/segment/necks.h"
+#include "plico/segment/rearrange.h"
 #include "plico/unfold/flat_faces.h"
 #include "plico/unfold/heuristics.h"
 #include "plico/unfold/overlap.h"
@@ -54,7 +56,7 @@ class Segmenter {
 
  private:
   std::vector<int> first_cut() {
-    if (options_.method == SegmentMethod::Necks) return cut_at_necks(graph_, certain_cuts(), neck_options(), run_);
+    if (options_.method == SegmentMethod::Necks) return necks_cut();
     if (options_.method == SegmentMethod::Clusters) learn();
     std::vector<int> part = components(mesh_).of_face;
     const int wanted = options_.wish == PartsWish::Exactly ? options_.parts : kGivenParts;
@@ -68,6 +70,12 @@ class Segmenter {
     for (std::size_t i = 0; i < cut.size(); ++i)
       if (cut[i] > 0) part[largest->second[i]] = count + cut[i] - 1;
     return part;
+  }
+
+  std::vector<int> necks_cut() {
+    const std::vector<int> start = certain_cuts();
+    if (apart_.empty()) return cut_limbs_of(mesh_, graph_, neck_options(), run_);
+    return cut_limbs(graph_, start, neck_options(), run_);
   }
 
   // Clusters or random parts of connected faces.
