@@ -25,7 +25,8 @@ using nlohmann::json;
 
 struct SegmentArgs {
   std::string mesh, by = "foldability", labels, motions, motion = "linear", repair = "safe", parts = "auto",
-                    method = "necks";
+                    method = "necks", names;
+  std::vector<std::string> keep, apart;
   SegmentOptions options;
 };
 
@@ -40,8 +41,17 @@ PartMotion part_motion(const std::string& word) {
 void check_usage(const SegmentArgs& args) {
   if (args.by == "labels" && args.labels.empty()) throw InvalidOption("--by labels needs --labels FILE");
   if (args.by != "labels" && !args.labels.empty()) throw InvalidOption("--labels needs --by labels");
-  if (args.mesh == "-" && (args.labels == "-" || args.by == "groups"))
+  if (args.by != "foldability" && !(args.keep.empty() && args.apart.empty()))
+    throw InvalidOption("--keep and --apart need --by foldability");
+  if (args.mesh == "-" && (args.names == "-" || args.labels == "-" || args.by == "groups"))
     throw InvalidOption("only one of two files, read once, can be standard input");
+}
+
+FaceWishes face_wishes(const SegmentArgs& args) {
+  FaceWishes wishes;
+  for (const std::string& text : args.keep) wishes.keep.push_back(face_list(text, "keep"));
+  for (const std::string& text : args.apart) wishes.apart.push_back(face_list(text, "apart"));
+  return wishes;
 }
 
 // Faces of the file are counted before any repair: labels and groups are about these.
@@ -126,13 +136,15 @@ int segment_file(SegmentArgs& args, Session& session) {
                         : args.method == "random" ? SegmentMethod::Random
                                                   : SegmentMethod::Necks;
   set_wish(args.options, args.parts);
+  args.options.faces = face_wishes(args);
   check(args.options);
   const std::vector<std::string> outputs = fold_outputs(session);
   make_folder(args.motions);
   const Mesh mesh = read_mesh(args.mesh, args.repair, session);
-  const Kit result = args.by == "foldability"
-                         ? segment_mesh(mesh, args.options, session.run())
-                         : make_kit(mesh, parts_of(mesh, args, session), args.options.prove, session.run());
+  Kit result = args.by == "foldability"
+                   ? segment_mesh(mesh, args.options, session.run())
+                   : make_kit(mesh, parts_of(mesh, args, session), args.options.prove, session.run());
+  if (!args.names.empty()) name_parts(result.parts, session.read(args.names), args.names);
   session.report().update(report_of(mesh, args, result));
   say_parts(session, args, mesh, result);
   if (!result.verdict.valid()) return kInternal;
@@ -165,6 +177,9 @@ Command segment_command() {
               options.neck)
       .option("--max-parts", "N", "auto: at most so many parts, unless parts fail", options.max_parts)
       .option("--min-area", "SHARE", "of the surface, in the smallest part cut off at a neck", options.min_area)
+      .option("--keep", "FACES", "these stay in one part, such as 3,17-20; may be given again for others", args->keep)
+      .option("--apart", "FACES", "no two of these are in one part; may be given again for others", args->apart)
+      .option("--names", "FILE", "lines of a face and a name: the part with this face is called so", args->names)
       .option("--labels", "FILE", "for --by labels: one number or word a line, for each face", args->labels)
       .choice("--motion", "what must be proven free of collision for each part, besides its net", args->motion,
               {"linear", "uniform", "any", "none"})

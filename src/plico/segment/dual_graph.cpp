@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "plico/base/libm.h"
 #include "plico/mesh/measures.h"
@@ -29,6 +30,14 @@ DualGraph::DualGraph(const Mesh& mesh) {
     }
     first_.push_back(static_cast<int>(arcs_.size()));
   }
+}
+
+double DualGraph::held_cost() const { return 100 * std::sqrt(total_area_); }
+
+void DualGraph::hold(int a, int b) {
+  for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}})
+    for (int i = first_[from]; i < first_[from + 1]; ++i)
+      if (arcs_[i].to == to) arcs_[i].cost = held_cost();
 }
 
 double seam_factor(double fold_angle) {

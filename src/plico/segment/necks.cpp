@@ -116,6 +116,7 @@ class NeckSearch {
     if (!(smaller >= options_.min_area * whole)) return std::nullopt;
     Neck neck;
     neck.cost = cut_cost(graph_, side, mark_, kRest);
+    if (neck.cost >= graph_.held_cost()) return std::nullopt;
     neck.score = neck.cost / std::sqrt(whole) / plico::pow(smaller / whole, options_.area_power);
     neck.side = one <= area_ - one ? std::move(side) : std::move(rest);
     std::sort(neck.side.begin(), neck.side.end());

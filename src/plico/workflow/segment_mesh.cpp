@@ -40,12 +40,15 @@ struct Piece {
   std::vector<int> faces;  // ascending
   int origin = 0;          // the part it was cut from when that failed
   ProvenPart proof;
+  bool whole = false;  // nothing of it can be cut off, since its faces are kept together
 };
 
 class Segmenter {
  public:
   Segmenter(const Mesh& mesh, const SegmentOptions& options, const Run& run)
-      : mesh_(mesh), options_(options), run_(run), graph_(mesh) {}
+      : mesh_(mesh), options_(options), run_(run), graph_(mesh), apart_(pairs_apart(options.faces)) {
+    hold_together(graph_, options.faces);
+  }
 
   Kit run() {
     make_pieces(first_cut());
@@ -74,7 +77,8 @@ class Segmenter {
 
   std::vector<int> necks_cut() {
     const std::vector<int> start = certain_cuts();
-    if (apart_.empty()) return cut_limbs_of(mesh_, graph_, neck_options(), run_);
+    check_kept(options_.faces, start);
+    if (apart_.empty() && !options_.faces.any()) return cut_limbs_of(mesh_, graph_, neck_options(), run_);
     return cut_limbs(graph_, start, neck_options(), run_);
   }
 
@@ -105,13 +109,18 @@ class Segmenter {
   // Parts inside components, and apart what runs through itself.
   std::vector<int> certain_cuts() {
     std::vector<int> part = components(mesh_).of_face;
-    if (options_.prove.motion == PartMotion::None) return part;
-    run_.report("looking for faces that run through each other", 0);
-    apart_ = crossing_faces(mesh_);
+    if (options_.prove.motion != PartMotion::None) add_crossings();
     if (apart_.empty()) return part;
-    notes_.push_back(fmt::format("one piece cannot fold: {} pairs of faces run through each other ({})", apart_.size(),
-                                 list_of(apart_)));
     return part_pairs(graph_, std::move(part), apart_);
+  }
+
+  void add_crossings() {
+    run_.report("looking for faces that run through each other", 0);
+    const std::vector<FacePair> crossings = crossing_faces(mesh_);
+    if (crossings.empty()) return;
+    notes_.push_back(fmt::format("one piece cannot fold: {} pairs of faces run through each other ({})",
+                                 crossings.size(), list_of(crossings)));
+    apart_.insert(apart_.end(), crossings.begin(), crossings.end());
   }
 
   NeckCutOptions neck_options() const {
@@ -151,13 +160,14 @@ class Segmenter {
   }
 
   int first_failure() const {
-    const auto at = std::find_if(pieces_.begin(), pieces_.end(), [](const Piece& p) { return !p.proof.proven(); });
+    const auto at =
+        std::find_if(pieces_.begin(), pieces_.end(), [](const Piece& p) { return !p.proof.proven() && !p.whole; });
     return at == pieces_.end() ? -1 : static_cast<int>(at - pieces_.begin());
   }
 
   void answer_failures() {
     for (int p = first_failure(); p >= 0 && !run_.over(); p = first_failure())
-      if (!join_small(p)) split(p);
+      if (!join_small(p) && !split(p)) pieces_[p].whole = true;
   }
 
   bool join_small(int p) {
@@ -168,7 +178,8 @@ class Segmenter {
     return false;
   }
 
-  // One side of a cut in two: at the best neck, however small, or as the method has it.
+  // One side of a cut in two: at the best neck, however small, or as the method has it; empty when all is kept
+  // together.
   std::vector<int> side_of_cut(const std::vector<int>& faces) {
     std::vector<int> side;
     if (options_.method != SegmentMethod::Necks) {
@@ -178,23 +189,25 @@ class Segmenter {
     }
     if (side.empty()) {  // clusters may be empty
       const std::optional<Neck> neck = best_neck(graph_, faces, {.min_area = 0});
-      PLICO_ASSERT(neck.has_value());
-      side = neck->side;
+      PLICO_ASSERT(neck.has_value() || !options_.faces.keep.empty());
+      if (neck) side = neck->side;
     }
     return side;
   }
 
-  void split(int p) {
+  bool split(int p) {
     const std::vector<int> side = side_of_cut(pieces_[p].faces);
+    if (side.empty()) return false;
     std::vector<int> rest;
     std::set_difference(pieces_[p].faces.begin(), pieces_[p].faces.end(), side.begin(), side.end(),
                         std::back_inserter(rest));
     const int origin = pieces_[p].origin;
     pieces_.erase(pieces_.begin() + p);
-    pieces_.push_back({rest, origin, {}});
-    pieces_.push_back({side, origin, {}});
+    pieces_.push_back({rest, origin, {}, false});
+    pieces_.push_back({side, origin, {}, false});
     was_split_.insert(origin);
     prove_from(pieces_.size() - 2);
+    return true;
   }
 
   // Seams between pieces, the dearest first.
@@ -230,7 +243,7 @@ class Segmenter {
       failed_.insert(faces);
       return false;
     }
-    pieces_[p] = {std::move(faces), pieces_[p].origin, std::move(proof)};
+    pieces_[p] = {std::move(faces), pieces_[p].origin, std::move(proof), false};
     pieces_.erase(pieces_.begin() + q);
     return true;
   }
@@ -304,6 +317,9 @@ Kit segment_mesh(const Mesh& mesh, const SegmentOptions& options, const Run& run
     require(options.parts >= least && options.parts <= mesh.num_faces(), "parts", options.parts,
             fmt::format("in [{}, {}], the components and the faces of the mesh", least, mesh.num_faces()));
   }
+  check(options.faces, mesh.num_faces());
+  if (options.faces.any() && options.method != SegmentMethod::Necks)
+    throw InvalidOption("faces are kept together or apart by --method necks only");
   if (options.method == SegmentMethod::Clusters)
     require(mesh.num_faces() <= kMostForClusters, "faces", mesh.num_faces(),
             fmt::format("at most {} for clusters, whose matrix is dense", kMostForClusters));
