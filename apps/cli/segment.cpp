@@ -25,7 +25,7 @@ using nlohmann::json;
 
 struct SegmentArgs {
   std::string mesh, by = "foldability", labels, motions, motion = "linear", repair = "safe", parts = "auto",
-                    method = "necks", names;
+                    method = "necks", names, symmetric = "off";
   std::vector<std::string> keep, apart;
   SegmentOptions options;
 };
@@ -96,6 +96,12 @@ std::string proof_text(const ProvenPart& part, const std::string& motion) {
                                 : fmt::format("net verified, no free {} motion found", motion);
 }
 
+std::string image_text(const Kit& kit, int part) {
+  if (kit.mirror.empty() || kit.mirror[part] < 0) return "";
+  if (kit.mirror[part] == part) return ", its own mirror image";
+  return fmt::format(", the mirror image of {}", kit.parts.names[kit.mirror[part]]);
+}
+
 void say_parts(const Session& session, const SegmentArgs& args, const Mesh& mesh, const Kit& result) {
   const int n = result.parts.num_parts();
   session.say(fmt::format("{} faces: {} {}, {} proven; seams {:.3g} diagonals", mesh.num_faces(), n,
@@ -104,7 +110,7 @@ void say_parts(const Session& session, const SegmentArgs& args, const Mesh& mesh
   for (int i = 0; i < n; ++i)
     session.say(fmt::format("  {}: {} {}, {}", result.parts.names[i], result.part[i].net.sheet.num_faces(),
                             result.part[i].net.sheet.num_faces() == 1 ? "face" : "faces",
-                            proof_text(result.part[i], args.motion)));
+                            proof_text(result.part[i], args.motion) + image_text(result, i)));
   for (const std::string& note : result.notes) session.warn(note);
 }
 
@@ -137,6 +143,9 @@ int segment_file(SegmentArgs& args, Session& session) {
                                                   : SegmentMethod::Necks;
   set_wish(args.options, args.parts);
   args.options.faces = face_wishes(args);
+  args.options.symmetric = args.symmetric == "on"     ? Symmetry::On
+                           : args.symmetric == "auto" ? Symmetry::Auto
+                                                      : Symmetry::Off;
   check(args.options);
   const std::vector<std::string> outputs = fold_outputs(session);
   make_folder(args.motions);
@@ -177,6 +186,8 @@ Command segment_command() {
               options.neck)
       .option("--max-parts", "N", "auto: at most so many parts, unless parts fail", options.max_parts)
       .option("--min-area", "SHARE", "of the surface, in the smallest part cut off at a neck", options.min_area)
+      .choice("--symmetric", "left and right alike, on meshes with a mirror plane; auto: where there is one",
+              args->symmetric, {"auto", "on", "off"})
       .option("--keep", "FACES", "these stay in one part, such as 3,17-20; may be given again for others", args->keep)
       .option("--apart", "FACES", "no two of these are in one part; may be given again for others", args->apart)
       .option("--names", "FILE", "lines of a face and a name: the part with this face is called so", args->names)

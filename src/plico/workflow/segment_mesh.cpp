@@ -11,6 +11,7 @@
 #include "plico/mesh/measures.h"
 #include "plico/segment/clusters.h"
 #include "plico/segment/coarse.h"
+#include "plico/segment/mirror.h"
 #include "plico/segment/must_part.h"
 #include "plico/segment/necks.h"
 #include "plico/segment/rearrange.h"
@@ -78,8 +79,23 @@ class Segmenter {
   std::vector<int> necks_cut() {
     const std::vector<int> start = certain_cuts();
     check_kept(options_.faces, start);
+    if (const auto images = images_to_keep(start)) return cut_mirrored(graph_, start, *images, neck_options(), run_);
     if (apart_.empty() && !options_.faces.any()) return cut_limbs_of(mesh_, graph_, neck_options(), run_);
     return cut_limbs(graph_, start, neck_options(), run_);
+  }
+
+  // Of every face, when both sides are to be alike and can be.
+  std::optional<std::vector<int>> images_to_keep(const std::vector<int>& start) {
+    if (options_.symmetric == Symmetry::Off) return std::nullopt;
+    images_ = mirror_images(mesh_);
+    if (!images_ && options_.symmetric == Symmetry::On)
+      throw InvalidInput("segment/not-symmetric", "no plane maps the mesh onto itself", {},
+                         "leave --symmetric out, or use auto");
+    if (!images_) return std::nullopt;
+    const std::vector<int> partner = mirror_partners(start, *images_);
+    if (std::count(partner.begin(), partner.end(), -1) == 0) return images_;
+    notes_.emplace_back("what must come apart is not symmetric, so the parts are not");
+    return std::nullopt;
   }
 
   // Clusters or random parts of connected faces.
@@ -277,6 +293,11 @@ class Segmenter {
     if (options_.wish == PartsWish::Exactly && parts.num_parts() != options_.parts)
       notes_.push_back(fmt::format("{} parts were asked for, there are {}", options_.parts, parts.num_parts()));
     Kit result = put_together(mesh_, std::move(parts), std::move(proofs), run_);
+    if (images_) {
+      result.mirror = mirror_partners(result.parts.part, *images_);
+      if (const auto lone = std::count(result.mirror.begin(), result.mirror.end(), -1); lone > 0)
+        notes_.push_back(fmt::format("{} parts have no mirror image, as some did not fold", lone));
+    }
     result.notes = std::move(notes_);
     return result;
   }
@@ -288,6 +309,7 @@ class Segmenter {
   std::optional<Foldability> foldability_;  // for clusters
   std::uint64_t cuts_made_ = 0;             // by clusters or at random: each has a random stream of its own
   std::vector<FacePair> apart_;             // certainly not in one part
+  std::optional<std::vector<int>> images_;  // mirrored, of every face
   std::vector<Piece> pieces_;
   std::set<std::vector<int>> failed_;  // sets of faces that have no proof: the ledger
   std::set<int> was_split_;            // origins
@@ -320,6 +342,8 @@ Kit segment_mesh(const Mesh& mesh, const SegmentOptions& options, const Run& run
   check(options.faces, mesh.num_faces());
   if (options.faces.any() && options.method != SegmentMethod::Necks)
     throw InvalidOption("faces are kept together or apart by --method necks only");
+  if (options.symmetric != Symmetry::Off && (options.faces.any() || options.method != SegmentMethod::Necks))
+    throw InvalidOption("parts are symmetric by --method necks only, without --keep and --apart");
   if (options.method == SegmentMethod::Clusters)
     require(mesh.num_faces() <= kMostForClusters, "faces", mesh.num_faces(),
             fmt::format("at most {} for clusters, whose matrix is dense", kMostForClusters));
