@@ -27,6 +27,7 @@ struct Kit {
   std::vector<std::vector<int>>
       pieces;  // of every part: its numbers in net.part, one unless it has no net in one piece
   std::vector<Joint> joints;
+  std::vector<int> mirror;         // the part that is the mirror image of each, or itself, -1 for none; may be empty
   std::vector<std::string> notes;  // what was decided on the way, or could not be done; sentences
 
   int num_proven() const;

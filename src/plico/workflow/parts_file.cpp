@@ -84,6 +84,7 @@ Json parts_json(const Mesh& mesh, const Kit& result) {
                     {"step", step[i]},
                     {"proven", part.proven()},
                     {"motion", part_motion_json(part)}});
+    if (!result.mirror.empty()) list.back()["mirror"] = result.mirror[i] < 0 ? Json() : Json(result.mirror[i]);
   }
   return list;
 }

@@ -11,7 +11,8 @@
 namespace plico {
 
 // One object a part: id, name, faces (of the mesh), area, pieces (numbers in faces_plico:part), size (of its net, as
-// laid out), neighbors with the length of their seams, step of assembly, proven, motion. Units are the mesh's.
+// laid out), neighbors with the length of their seams, step of assembly, proven, motion, and mirror (the part that is
+// its image) when that was asked for. Units are the mesh's.
 nlohmann::json parts_json(const Mesh& mesh, const Kit& result);
 
 // The nets side by side, folded form and all. Numbers of seams are equal on both edges that are glued.

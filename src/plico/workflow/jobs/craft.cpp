@@ -40,7 +40,7 @@ CraftOptions craft_options(const CraftArgs& args, Session& session) {
   options.law = args.foldable == "linear"    ? std::optional(FoldingLaw::Linear)
                 : args.foldable == "uniform" ? std::optional(FoldingLaw::Uniform)
                                              : std::nullopt;
-  if (args.parts != "one") options.parts = SegmentOptions{.prove = {}};
+  if (args.parts != "one") options.parts.emplace();
   if (args.parts != "one") set_wish(*options.parts, args.parts);
   options.layout = layout_options(args.print);
   options.draw = draw_options(args.print, options.name);

@@ -26,7 +26,8 @@ using nlohmann::json;
 
 struct SegmentArgs {
   std::string mesh, by = "foldability", labels, motions, motion = "linear", repair = "safe", parts = "auto",
-                    method = "necks";
+                    method = "necks", names, symmetric = "off";
+  std::vector<std::string> keep, apart;
   SegmentOptions options;
   ConvexityOptions convexity;
 };
@@ -42,8 +43,17 @@ PartMotion part_motion(const std::string& word) {
 void check_usage(const SegmentArgs& args) {
   if (args.by == "labels" && args.labels.empty()) throw InvalidOption("--by labels needs --labels FILE");
   if (args.by != "labels" && !args.labels.empty()) throw InvalidOption("--labels needs --by labels");
-  if (args.mesh == "-" && (args.labels == "-" || args.by == "groups"))
+  if (args.by != "foldability" && !(args.keep.empty() && args.apart.empty()))
+    throw InvalidOption("--keep and --apart need --by foldability");
+  if (args.mesh == "-" && (args.names == "-" || args.labels == "-" || args.by == "groups"))
     throw InvalidOption("only one of two files, read once, can be standard input");
+}
+
+FaceWishes face_wishes(const SegmentArgs& args) {
+  FaceWishes wishes;
+  for (const std::string& text : args.keep) wishes.keep.push_back(face_list(text, "keep"));
+  for (const std::string& text : args.apart) wishes.apart.push_back(face_list(text, "apart"));
+  return wishes;
 }
 
 // Faces of the file are counted before any repair: labels and groups are about these.
@@ -101,6 +111,12 @@ bool keeps_bound(const SegmentArgs& args, const json& report) {
   return args.by != "convexity" || report["concavity"].get<double>() <= args.convexity.concavity + 1e-12;
 }
 
+std::string image_text(const Kit& kit, int part) {
+  if (kit.mirror.empty() || kit.mirror[part] < 0) return "";
+  if (kit.mirror[part] == part) return ", its own mirror image";
+  return fmt::format(", the mirror image of {}", kit.parts.names[kit.mirror[part]]);
+}
+
 void say_parts(const Session& session, const SegmentArgs& args, const json& report, const Kit& result) {
   const int n = result.parts.num_parts();
   session.say(fmt::format("{} faces: {} {}, {} proven; seams {:.3g} diagonals", report["faces"].get<int>(), n,
@@ -111,7 +127,7 @@ void say_parts(const Session& session, const SegmentArgs& args, const json& repo
   for (int i = 0; i < n; ++i)
     session.say(fmt::format("  {}: {} {}, {}", result.parts.names[i], result.part[i].net.sheet.num_faces(),
                             result.part[i].net.sheet.num_faces() == 1 ? "face" : "faces",
-                            proof_text(result.part[i], args.motion)));
+                            proof_text(result.part[i], args.motion) + image_text(result, i)));
   for (const std::string& note : result.notes) session.warn(note);
 }
 
@@ -135,14 +151,19 @@ int segment_file(SegmentArgs& args, Session& session) {
                         : args.method == "random" ? SegmentMethod::Random
                                                   : SegmentMethod::Necks;
   set_wish(args.options, args.parts);
+  args.options.faces = face_wishes(args);
+  args.options.symmetric = args.symmetric == "on"     ? Symmetry::On
+                           : args.symmetric == "auto" ? Symmetry::Auto
+                                                      : Symmetry::Off;
   check(args.options);
   check(args.convexity);
   const std::vector<std::string> outputs = fold_outputs(session);
   if (!args.motions.empty()) session.make_folder(args.motions);
   const Mesh mesh = read_mesh(args.mesh, args.repair, session);
-  const Kit result = args.by == "foldability"
-                         ? segment_mesh(mesh, args.options, session.run())
-                         : make_kit(mesh, parts_of(mesh, args, session), args.options.prove, session.run());
+  Kit result = args.by == "foldability"
+                   ? segment_mesh(mesh, args.options, session.run())
+                   : make_kit(mesh, parts_of(mesh, args, session), args.options.prove, session.run());
+  if (!args.names.empty()) name_parts(result.parts, session.read(args.names), args.names);
   const json report = report_of(mesh, args, result);
   session.report().update(report);
   say_parts(session, args, report, result);
@@ -180,6 +201,11 @@ Job segment_job() {
       .option("--concavity", "X",
               "for --by convexity: how deep a vertex may lie below the hull of its part, as a share of the diagonal",
               args->convexity.concavity)
+      .choice("--symmetric", "left and right alike, on meshes with a mirror plane; auto: where there is one",
+              args->symmetric, {"auto", "on", "off"})
+      .option("--keep", "FACES", "these stay in one part, such as 3,17-20; may be given again for others", args->keep)
+      .option("--apart", "FACES", "no two of these are in one part; may be given again for others", args->apart)
+      .option("--names", "FILE", "lines of a face and a name: the part with this face is called so", args->names)
       .option("--labels", "FILE", "for --by labels: one number or word a line, for each face", args->labels)
       .choice("--motion", "what must be proven free of collision for each part, besides its net", args->motion,
               {"linear", "uniform", "any", "none"})
