@@ -126,7 +126,8 @@ void plan_row(FoldFile& file, const Linkage& linkage, const MotionOptions& optio
   row.proven = outcome.proven();
   row.progress = outcome.motions.empty() ? 0 : outcome.progress;
   if (outcome.motions.empty()) return;
-  set_path(file, linkage, outcome.motions.front().path);
+  if (outcome.sheet) set_sheet(file, *outcome.sheet);
+  set_path(file, outcome.sheet ? make_linkage(file.net.sheet) : linkage, outcome.motions.front().path);
   row.folded_svg = folded_thumbnail(file.net.sheet, file.path_points.back());
 }
 

@@ -101,13 +101,6 @@ void write_motions(Session& session, FoldFile& file, const Linkage& linkage, con
   }
 }
 
-// The sheet whose panels were cut by flat creases takes the place of the given one.
-void take_cut_sheet(FoldFile& file, const CreasePattern& cut) {
-  file.net.sheet = cut;
-  file.net.part = parts_of(cut);
-  file.net.mate.clear();
-}
-
 std::vector<double> in_degrees(std::vector<double> angles) {
   for (double& angle : angles) angle = degrees(angle);
   return angles;
@@ -121,7 +114,7 @@ int fold_file(const FoldArgs& args, Session& session) {
   Linkage linkage = make_linkage(file.net.sheet, file.net.mate);
   const MotionOutcome outcome = plan(file, linkage, args, session);
   if (outcome.sheet) {
-    take_cut_sheet(file, *outcome.sheet);
+    set_sheet(file, *outcome.sheet);
     linkage = make_linkage(file.net.sheet);
     session.report()["panel_bends_deg"] = in_degrees(outcome.bends);
   }
