@@ -13,6 +13,7 @@
 #include "plico/workflow/jobs/motion_report.h"
 #include "plico/workflow/jobs/read_sheet.h"
 #include "plico/workflow/jobs/session.h"
+#include "plico/workflow/plan_drawn.h"
 #include "plico/workflow/plan_origami.h"
 
 namespace plico::jobs {
@@ -66,7 +67,9 @@ MotionOutcome plan(const FoldFile& file, const Linkage& linkage, const FoldArgs&
   if (linkage.has_loops()) {
     for (const std::string& state : args.through) options.through.push_back(state_of(state, linkage, session));
     if (!args.reuse.empty()) return reuse(file, options, args.reuse, session);
-    return plan_origami(file.net.sheet, options, session.run());
+    const bool as_drawn = args.grouped || !args.through.empty();  // both speak of the creases of this very sheet
+    return as_drawn ? plan_origami(file.net.sheet, options, session.run())
+                    : plan_drawn(file.net.sheet, options, session.run());
   }
   if (args.grouped || !args.reuse.empty() || !args.through.empty())
     throw InvalidOption("--grouped, --reuse and --through are for crease patterns with loops; this sheet has none");
@@ -116,7 +119,7 @@ int fold_file(const FoldArgs& args, Session& session) {
   if (outcome.sheet) {
     set_sheet(file, *outcome.sheet);
     linkage = make_linkage(file.net.sheet);
-    session.report()["panel_bends_deg"] = in_degrees(outcome.bends);
+    if (!outcome.bends.empty()) session.report()["panel_bends_deg"] = in_degrees(outcome.bends);
   }
   nlohmann::json motions = nlohmann::json::array();
   for (const Motion& motion : outcome.motions) {
