@@ -218,13 +218,17 @@ void check(const LayoutOptions& options) {
 
 }  // namespace
 
+double wanted_scale(const Unfolding& net, const FoldedShape& shape, const LayoutOptions& options) {
+  return options.size.fill_page && !options.size.is_given() ? scale_that_fills_page(net, shape, options)
+                                                            : scale_of(shape, options.size);
+}
+
 LayoutResult lay_out_pages(const Unfolding& model_net, const FoldedShape& shape, const LayoutOptions& options,
                            const Run& run) {
   check(options);
   LayoutResult result;
   LayoutReport& report = result.report;
-  report.scale = options.size.fill_page && !options.size.is_given() ? scale_that_fills_page(model_net, shape, options)
-                                                                    : scale_of(shape, options.size);
+  report.scale = wanted_scale(model_net, shape, options);
   report.final_size = report.scale * shape.size;
 
   Unfolding net = in_millimetres(model_net, report.scale);

@@ -4,6 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "plico/fabricate/fabricate.h"
@@ -16,6 +17,10 @@
 
 namespace plico {
 
+enum class HandWish { None, Page, Hands };
+inline constexpr int kMostToImprove = 1500;  // faces
+HandWish hand_wish(std::string_view name);   // "none", "page", "hands"; throws InvalidOption
+
 struct CraftOptions {
   std::string name = "model";  // of the model: titles and file names
   std::string made_by;         // a JSON object for the key plico:report of the FOLD file; may be empty
@@ -25,6 +30,9 @@ struct CraftOptions {
   // Cut into parts that fold instead of one net, as segment_mesh() does; its motion and seed follow from `law` and
   // `unfold`.
   std::optional<SegmentOptions> parts;
+  // Nets that fold straight, and any net when no motion is looked for, are then made better for hands
+  // (unfold/handy_folds.h) or for the page; meshes of more faces than kMostToImprove are left as they are.
+  HandWish wish = HandWish::Hands;
   UnfoldOptions unfold;
   LayoutOptions layout;
   DrawOptions draw;
