@@ -50,6 +50,9 @@ struct LayoutResult {
   LayoutReport report;
 };
 
+// The scale at which lay_out_pages() prints: millimetres per unit.
+double wanted_scale(const Unfolding& net, const FoldedShape& shape, const LayoutOptions& options = {});
+
 // Lays out `net` (in the model's unit). Throws InvalidInput when a part fits no page, saying the largest size that
 // would fit, unless it may be split; InvalidOption when an option is out of range.
 LayoutResult lay_out_pages(const Unfolding& net, const FoldedShape& shape, const LayoutOptions& options = {},

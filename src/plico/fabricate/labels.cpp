@@ -183,8 +183,8 @@ class Labeller {
   }
 
   bool on_page(const Box& box, int page) const {
-    const Vec2 margin = Vec2::Constant(layout_.margin);
-    const Eigen::AlignedBox2d inside(margin, layout_.pages[page].size - margin);
+    const Margins& margin = layout_.margin;
+    const Eigen::AlignedBox2d inside(margin.low(), layout_.pages[page].size - margin.high());
     return std::ranges::all_of(box, [&](const Vec2& p) { return inside.contains(p); });
   }
 

@@ -7,6 +7,7 @@
 
 #include "plico/base/error.h"
 #include "plico/base/version.h"
+#include "plico/fabricate/hand_measures.h"
 #include "plico/io/motion/png.h"
 #include "plico/io/motion/viewer.h"
 #include "plico/io/page/dxf.h"
@@ -23,6 +24,9 @@
 
 namespace plico {
 namespace {
+
+// Steps of each lane that improves a net for hands, per face and at most: seconds for a usual animal.
+constexpr long kImprovingSteps = 400, kMostImprovingSteps = 200'000;
 
 std::string_view kind_of(MotionMethod method) {
   return method == MotionMethod::Linear || method == MotionMethod::Uniform ? name(method) : "planned";
@@ -43,6 +47,65 @@ std::vector<JointClaim> claims_of(const std::vector<Joint>& joints) {
   return claims;
 }
 
+// What is asked of a better net, which folds at the size that the present one is printed at.
+OptimizeOptions better_for(const CraftOptions& options, const Mesh& mesh, double scale) {
+  OptimizeOptions wanted{.seed = options.unfold.search.seed,
+                         .weights = weights_for(options.wish == HandWish::Page ? "page" : "hands"),
+                         .starts = 4};
+  wanted.steps = std::min(kImprovingSteps * mesh.num_faces(), kMostImprovingSteps);
+  wanted.shortest_fold = kSmallEdge / scale;
+  return wanted;
+}
+
+double printed_scale(const CraftOptions& options, const Mesh& mesh, const Unfolding& net) {
+  LayoutOptions layout = options.layout;
+  layout.size.fill_page = true;
+  return wanted_scale(net, folded_shape(mesh), layout);
+}
+
+bool may_improve(const CraftOptions& options, const Mesh& mesh) {
+  return options.wish != HandWish::None && mesh.num_faces() > 2 && mesh.num_faces() <= kMostToImprove;
+}
+
+std::optional<FoldingLaw> proven_law(const std::optional<Motion>& motion) {
+  if (!motion || motion->proof.verdict != PathVerdict::Free) return {};
+  if (motion->method == MotionMethod::Linear) return FoldingLaw::Linear;
+  if (motion->method == MotionMethod::Uniform) return FoldingLaw::Uniform;
+  return {};
+}
+
+// A net that folds straight gives way to a better one that does, too.
+bool improve(const Mesh& mesh, const CraftOptions& options, double scale, const Run& run, Unfolding& net,
+             NetVerdict& verdict, std::optional<Motion>& motion, FoldForest& forest) {
+  const std::optional<FoldingLaw> law = proven_law(motion);
+  if (!law || mesh.num_faces() < 3 || run.over()) return false;
+  BetterNet better = better_foldable_net(mesh, forest, {.seed = options.unfold.search.seed, .law = *law},
+                                         better_for(options, mesh, scale), run);
+  Unfolding laid = lay_flat(mesh, better.tree);
+  NetVerdict judged = verify_net(laid, mesh);
+  if (!judged.is_net() || better.proof.verdict != PathVerdict::Free) return false;
+  net = std::move(laid);
+  verdict = std::move(judged);
+  motion = Motion{motion->method, std::move(better.path), better.proof};
+  forest = std::move(better.tree);
+  return true;
+}
+
+void improve_parts(const Mesh& mesh, const CraftOptions& options, const Run& run, Kit& kit) {
+  if (!may_improve(options, mesh)) return;
+  run.report("making the nets better for hands", 0);
+  const double scale = printed_scale(options, mesh, kit.net);
+  bool any = false;
+  for (ProvenPart& part : kit.part)
+    any |= improve(part.shape.mesh, options, scale, run, part.net, part.verdict, part.motion, part.forest);
+  if (!any) return;
+  Kit better = put_together(mesh, std::move(kit.parts), std::move(kit.part), run);
+  better.joints = std::move(kit.joints);
+  better.mirror = std::move(kit.mirror);
+  better.notes = std::move(kit.notes);
+  kit = std::move(better);
+}
+
 // A mesh in several pieces, or cut into parts, becomes a kit: every piece has its own net and motion.
 void find_kit(const Mesh& mesh, const CraftOptions& options, const Run& run, CraftResult& result) {
   run.report("looking for nets that fold", 0);
@@ -56,12 +119,21 @@ void find_kit(const Mesh& mesh, const CraftOptions& options, const Run& run, Cra
     kit.joints = options.joints;
     result.joint_defects = verify_joints(mesh, claims_of(kit.joints));
   }
+  improve_parts(mesh, options, run, kit);
   result.ending = kit.ending;
   if (options.law) result.motion = motion_of_pieces(mesh, kit, run);
   if (!result.motion) result.why_no_motion = options.law ? "nothing turns" : "none was asked for";
   result.net = kit.net;
   result.verdict = kit.verdict;
   result.kit = std::move(kit);
+}
+
+void improve_net(const Mesh& mesh, const CraftOptions& options, const Run& run, CraftResult& result) {
+  if (!result.motion || !may_improve(options, mesh)) return;
+  run.report("making the net better for hands", 0);
+  FoldForest forest = forest_of(mesh, result.net);
+  improve(mesh, options, printed_scale(options, mesh, result.net), run, result.net, result.verdict, result.motion,
+          forest);
 }
 
 // The net that folds, or the one that comes closest, replaces the one found without regard to motion.
@@ -89,6 +161,11 @@ void find_net_that_folds(const Mesh& mesh, const CraftOptions& options, const Ru
 
 void find_net(const Mesh& mesh, const CraftOptions& options, const Run& run, CraftResult& result) {
   UnfoldOutcome unfolded = unfold_mesh(mesh, options.unfold, run);
+  if (!options.law && unfolded.ending == Ending::Found && may_improve(options, mesh)) {
+    UnfoldOptions better = options.unfold;
+    better.optimize = better_for(options, mesh, printed_scale(options, mesh, unfolded.unfolding));
+    unfolded = unfold_mesh(mesh, better, run);
+  }
   result.ending = unfolded.ending;
   result.net = std::move(unfolded.unfolding);
   result.verdict = std::move(unfolded.verdict);
@@ -100,6 +177,7 @@ void find_net(const Mesh& mesh, const CraftOptions& options, const Run& run, Cra
     result.why_no_motion = "there is no net in one piece";
   else
     find_net_that_folds(mesh, options, run, result);
+  improve_net(mesh, options, run, result);
 }
 
 std::string fold_text(const Mesh& mesh, const CraftOptions& options, const CraftResult& result) {
@@ -162,6 +240,13 @@ void add_pictures(const Mesh& mesh, const CraftOptions& options, CraftResult& re
 }
 
 }  // namespace
+
+HandWish hand_wish(std::string_view name) {
+  if (name == "none") return HandWish::None;
+  if (name == "page") return HandWish::Page;
+  if (name == "hands") return HandWish::Hands;
+  throw InvalidOption(fmt::format("optimize {} is not known: hands, page or none", name));
+}
 
 CraftResult craft(const Mesh& mesh, const CraftOptions& options, const Run& run) {
   CraftResult result;
@@ -230,6 +315,7 @@ nlohmann::json craft_report(const Mesh& mesh, const CraftResult& result) {
       {"edges_under_5_mm", work.small},
       {"seams_without_tab", layout.tabs.omitted + layout.tabs.short_seams},
       {"pages_verified", result.layout_verdict.sound()},
+      {"hands", json_of(measure_for_hands(result.net, layout.scale))},
   };
   if (result.kit) report["pieces"] = parts_json(mesh, *result.kit);
   if (result.kit && !result.kit->joints.empty()) {

@@ -4,6 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "plico/fabricate/fabricate.h"
@@ -15,6 +16,10 @@
 #include "plico/workflow/unfold_mesh.h"
 
 namespace plico {
+
+enum class HandWish { None, Page, Hands };
+inline constexpr int kMostToImprove = 1500;  // faces
+HandWish hand_wish(std::string_view name);   // "none", "page", "hands"; throws InvalidOption
 
 struct CraftOptions {
   std::string name = "model";  // of the model: titles and file names
@@ -28,6 +33,9 @@ struct CraftOptions {
   // The parts are given, and where they are glued face to face, as shell_pieces() makes them. Not with `parts`.
   std::optional<Segmentation> pieces;
   std::vector<Joint> joints;
+  // Nets that fold straight, and any net when no motion is looked for, are then made better for hands
+  // (unfold/handy_folds.h) or for the page; meshes of more faces than kMostToImprove are left as they are.
+  HandWish wish = HandWish::Hands;
   UnfoldOptions unfold;
   LayoutOptions layout;
   DrawOptions draw;

@@ -21,7 +21,7 @@ namespace plico::jobs {
 namespace {
 
 struct CraftArgs {
-  std::string mesh, foldable = "linear", repair = "safe", parts = "one", coplanar = "join";
+  std::string mesh, foldable = "linear", repair = "safe", parts = "one", coplanar = "join", optimize = "hands";
   int faces = 0;  // 0: as many as there are
   bool shells = false;
   double concavity = 0.05;
@@ -42,6 +42,7 @@ CraftOptions craft_options(const CraftArgs& args, Session& session) {
                                              : std::nullopt;
   if (args.parts != "one") options.parts.emplace();
   if (args.parts != "one") set_wish(*options.parts, args.parts);
+  options.wish = hand_wish(args.optimize);
   options.layout = layout_options(args.print);
   options.draw = draw_options(args.print, options.name);
   return options;
@@ -183,6 +184,9 @@ Job craft_job() {
               {"join", "keep"})
       .choice("--foldable", "look for a net whose linear or uniform motion is proven free of collision", args->foldable,
               {"linear", "uniform", "none"})
+      .choice("--optimize",
+              "make the net better and keep its proof: compact, with no weak folds; compact; or take the first found",
+              args->optimize, {"hands", "page", "none"})
       .option("--parts", "WISH",
               "one net; or parts, as plico segment makes them: auto, cut at necks; fewest that fold; or a number",
               args->parts)
