@@ -1,34 +1,15 @@
 #include "commands.h"
 
 #include "help.h"
+#include "plico/workflow/jobs/jobs.h"
 
 namespace plico::cli {
 
-std::vector<Command> all_commands() {
-  // clang-format off
-  return {
-      craft_command(),
-      info_command(),
-      check_command(),
-      simplify_command(),
-      unfold_command(),
-      segment_command(),
-      shell_command(),
-      inflate_command(),
-      export_command(),
-      fold_command(),
-      print_command(),
-      voxelize_command(),
-      stack_command(),
-      sample_command(),
-      origami_make_command(),
-      origami_info_command(),
-      origami_gallery_command(),
-      verify_command(),
-      man_command(),
-      completions_command(),
-  };
-  // clang-format on
+std::vector<Job> all_commands() {
+  std::vector<Job> commands = jobs::all_jobs();
+  commands.push_back(man_command());
+  commands.push_back(completions_command());
+  return commands;
 }
 
 std::vector<std::pair<std::string, std::string>> program_examples() {

@@ -6,8 +6,8 @@
 #include <set>
 
 #include "commands.h"
-#include "session.h"
-#include "shared_options.h"
+#include "plico/workflow/jobs/session.h"
+#include "plico/workflow/jobs/shared_options.h"
 
 namespace plico::cli {
 namespace {
@@ -18,9 +18,9 @@ struct Entry {
   std::vector<Option> options;
 };
 
-std::vector<Entry> entries(const std::vector<Command>& commands, SharedOptions& shared) {
+std::vector<Entry> entries(const std::vector<Job>& commands, jobs::SharedOptions& shared) {
   std::vector<Entry> result;
-  for (const Command& command : commands) {
+  for (const Job& command : commands) {
     const auto space = command.name.find(' ');
     const bool grouped = space != std::string::npos;
     result.push_back({command.name, command.summary, command.name.substr(0, space),
@@ -193,18 +193,18 @@ std::string fish(const std::vector<Entry>& all) {
 }
 
 int write_completions(const std::string& shell, Session& session) {
-  SharedOptions shared;
+  jobs::SharedOptions shared;
   const std::vector<Entry> all = entries(all_commands(), shared);
   const std::string text = shell == "bash" ? bash(all) : shell == "zsh" ? zsh(all) : fish(all);
   for (const std::string& path : session.outputs("-")) session.write(path, text);
-  return kDone;
+  return jobs::kDone;
 }
 
 }  // namespace
 
-Command completions_command() {
+Job completions_command() {
   const auto shell = std::make_shared<std::string>();
-  return Command("completions", "Write the completions of a shell")
+  return Job("completions", "Write the completions of a shell")
       .example("source <(plico completions bash)", "in this shell, now")
       .example("plico completions zsh -o ~/.zfunc/_plico", "for zsh, kept")
       .example("plico completions fish -o ~/.config/fish/completions/plico.fish", "for fish, kept")

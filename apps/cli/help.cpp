@@ -6,8 +6,8 @@
 #include <cctype>
 
 #include "plico/base/version.h"
-#include "session.h"
-#include "shared_options.h"
+#include "plico/workflow/jobs/session.h"
+#include "plico/workflow/jobs/shared_options.h"
 
 namespace plico::cli {
 namespace {
@@ -86,7 +86,7 @@ std::string full_help(const Option& option) {
   return text;
 }
 
-std::string usage_line(const Command& command) {
+std::string usage_line(const Job& command) {
   std::string text = "plico " + command.name + " [options]";
   for (const Option& option : command.options) {
     if (!option.is_positional()) continue;
@@ -96,19 +96,19 @@ std::string usage_line(const Command& command) {
 }
 
 std::vector<std::pair<int, std::string>> exit_codes() {
-  return {{kDone, "done and verified"},
-          {kNo, "finished, but the answer is no (no net, no path, verify failed)"},
-          {kUsage, "wrong usage"},
-          {kBadInput, "unusable input"},
-          {kFile, "cannot read or write a file"},
-          {kTimeLimit, "time limit reached, best so far written"},
-          {kInternal, "internal error"},
-          {kMemory, "out of memory"},
-          {kInterrupted, "interrupted, best so far written"}};
+  return {{jobs::kDone, "done and verified"},
+          {jobs::kNo, "finished, but the answer is no (no net, no path, verify failed)"},
+          {jobs::kUsage, "wrong usage"},
+          {jobs::kBadInput, "unusable input"},
+          {jobs::kFile, "cannot read or write a file"},
+          {jobs::kTimeLimit, "time limit reached, best so far written"},
+          {jobs::kInternal, "internal error"},
+          {jobs::kMemory, "out of memory"},
+          {jobs::kInterrupted, "interrupted, best so far written"}};
 }
 
-std::string command_help(const Command& command) {
-  SharedOptions shared;
+std::string command_help(const Job& command) {
+  jobs::SharedOptions shared;
   std::vector<Option> others = with_shared_options(command, shared);
   others.erase(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(command.options.size()));
   return example_lines(command.examples) + "\n" + wrapped(command.summary + ".", 0, kLine) +
@@ -116,9 +116,9 @@ std::string command_help(const Command& command) {
          section("Options", command.options, false) + section("Options of every command", others, false);
 }
 
-std::string group_help(const std::vector<Command>& group) {
+std::string group_help(const std::vector<Job>& group) {
   Rows rows, examples;
-  for (const Command& command : group) {
+  for (const Job& command : group) {
     rows.emplace_back(command.name, command.summary);
     if (!command.examples.empty()) examples.push_back(command.examples.front());
   }
@@ -126,9 +126,9 @@ std::string group_help(const std::vector<Command>& group) {
          "\nplico COMMAND --help tells more about one command.\n";
 }
 
-std::string program_help(const std::vector<Command>& commands) {
+std::string program_help(const std::vector<Job>& commands) {
   Rows rows;
-  for (const Command& command : commands) rows.emplace_back(command.name, command.summary);
+  for (const Job& command : commands) rows.emplace_back(command.name, command.summary);
   Rows codes;
   for (const auto& [code, meaning] : exit_codes()) codes.emplace_back(std::to_string(code), meaning);
   return example_lines(program_examples()) + "\nplico " + version() +

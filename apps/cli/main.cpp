@@ -1,8 +1,4 @@
 #include "commands.h"
-#include "plico/motion/planner.h"
 #include "program.h"
 
-int main(int argc, char** argv) {
-  plico::silence_planners();
-  return plico::cli::run_program(plico::cli::all_commands(), {argv + 1, argv + argc});
-}
+int main(int argc, char** argv) { return plico::cli::run_program(plico::cli::all_commands(), {argv + 1, argv + argc}); }

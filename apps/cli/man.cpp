@@ -6,8 +6,8 @@
 #include "commands.h"
 #include "help.h"
 #include "plico/base/version.h"
-#include "session.h"
-#include "shared_options.h"
+#include "plico/workflow/jobs/session.h"
+#include "plico/workflow/jobs/shared_options.h"
 
 namespace plico::cli {
 namespace {
@@ -48,14 +48,14 @@ std::string examples_of(const std::vector<std::pair<std::string, std::string>>& 
   return text;
 }
 
-std::string command_section(const Command& command) {
+std::string command_section(const Job& command) {
   std::string text = fmt::format(".SS plico {}\n{}.PP\n\\fB{}\\fR\n", roff(command.name), prose(command.summary + "."),
                                  roff(usage_line(command)));
   for (const Option& option : command.options) text += tagged(shown_name(option), full_help(option));
   return text + examples_of(command.examples, ".PP\n");
 }
 
-std::string man_page(const std::vector<Command>& commands) {
+std::string man_page(const std::vector<Job>& commands) {
   std::string text = fmt::format(
       ".TH PLICO 1 {} \"plico {}\" \"User Commands\"\n"
       ".SH NAME\nplico \\- makes shapes foldable\n"
@@ -66,9 +66,9 @@ std::string man_page(const std::vector<Command>& commands) {
       PLICO_RELEASE_DATE, version());
   text += ".SH EXAMPLES\n" + examples_of(program_examples(), "");
   text += ".SH COMMANDS\n";
-  for (const Command& command : commands) text += command_section(command);
+  for (const Job& command : commands) text += command_section(command);
   text += ".SH OPTIONS OF EVERY COMMAND\n";
-  SharedOptions shared;
+  jobs::SharedOptions shared;
   for (const Option& option : shared_options(shared)) text += tagged(shown_name(option), full_help(option));
   text += tagged("-h, --help", "show examples and options");
   text += ".SH EXIT STATUS\n";
@@ -78,14 +78,14 @@ std::string man_page(const std::vector<Command>& commands) {
 
 }  // namespace
 
-Command man_command() {
-  return Command("man", "Write the manual page")
+Job man_command() {
+  return Job("man", "Write the manual page")
       .example("plico man | man -l -", "read the manual")
       .example("plico man -o plico.1", "keep it in a file")
       .example("plico man | mandoc -T html > plico.html", "as a web page")
       .action([](Session& session) {
         for (const std::string& path : session.outputs("-")) session.write(path, man_page(all_commands()));
-        return int{kDone};
+        return int{jobs::kDone};
       });
 }
 

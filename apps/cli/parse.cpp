@@ -4,12 +4,15 @@
 #include <algorithm>
 
 #include "plico/base/error.h"
-#include "suggest.h"
+#include "plico/workflow/jobs/suggest.h"
 
 namespace plico::cli {
 namespace {
 
-std::string help_of(const Command& command) { return fmt::format("plico {} --help", command.name); }
+using jobs::did_you_mean;
+using jobs::nearest_word;
+
+std::string help_of(const Job& job) { return fmt::format("plico {} --help", job.name); }
 
 // CLI11 only takes the words apart; values are checked and set by the table, whose messages name values and bounds.
 CLI::Option* declare(CLI::App& app, const Option& option) {
@@ -21,30 +24,14 @@ CLI::Option* declare(CLI::App& app, const Option& option) {
   return declared->expected(1)->allow_extra_args(false);
 }
 
-[[noreturn]] void refuse_unknown(const Command& command, const std::vector<Option>& table, const std::string& word) {
-  if (!word.starts_with('-')) throw InvalidOption(fmt::format("unexpected argument '{}'", word), help_of(command));
+[[noreturn]] void refuse_unknown(const Job& job, const std::vector<Option>& table, const std::string& word) {
+  if (!word.starts_with('-')) throw InvalidOption(fmt::format("unexpected argument '{}'", word), help_of(job));
   std::vector<std::string> known;
   for (const Option& option : table)
     if (!option.is_positional()) known.insert(known.end(), option.names.begin(), option.names.end());
   const std::string name = word.substr(0, word.find('='));
   const std::string nearest = name.size() > 2 ? nearest_word(name, known) : "";
-  throw InvalidOption(fmt::format("unknown option '{}'{}", name, did_you_mean(nearest)), help_of(command));
-}
-
-void set(const Option& option, const std::string& value) {
-  try {
-    if (option.is_flag() && value != "true") throw InvalidOption("takes no value");
-    option.set(value);
-  } catch (const InvalidOption& error) {
-    throw InvalidOption(fmt::format("{}: {}", option.long_name(), error.what()), error.suggestion());
-  }
-}
-
-void check_count(const Command& command, const Option& option, std::size_t times) {
-  if (option.required && times == 0)
-    throw InvalidOption(fmt::format("{} is missing: {}", option.long_name(), option.help), help_of(command));
-  if (!option.repeatable && times > 1)
-    throw InvalidOption(fmt::format("{} is given {} times", option.long_name(), times), "give it once");
+  throw InvalidOption(fmt::format("unknown option '{}'{}", name, did_you_mean(nearest)), help_of(job));
 }
 
 void take_apart(CLI::App& app, std::vector<std::string> words) {
@@ -61,8 +48,7 @@ void take_apart(CLI::App& app, std::vector<std::string> words) {
 
 }  // namespace
 
-std::vector<Given> parse(const Command& command, const std::vector<Option>& table,
-                         const std::vector<std::string>& words) {
+std::vector<Given> parse(const Job& job, const std::vector<Option>& table, const std::vector<std::string>& words) {
   CLI::App app;
   app.set_help_flag();
   app.allow_extras();
@@ -70,18 +56,12 @@ std::vector<Given> parse(const Command& command, const std::vector<Option>& tabl
   for (const Option& option : table) declared.push_back(declare(app, option));
   take_apart(app, words);
   for (const std::string& word : app.remaining())
-    if (word != "--") refuse_unknown(command, table, word);
+    if (word != "--") refuse_unknown(job, table, word);
 
-  std::vector<Given> given;
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    const std::vector<std::string>& values = declared[i]->results();
-    check_count(command, table[i], values.size());
-    for (const std::string& value : values) {
-      set(table[i], value);
-      given.push_back({&table[i], value});
-    }
-  }
-  return given;
+  std::vector<Given> wanted;
+  for (std::size_t i = 0; i < table.size(); ++i)
+    for (const std::string& value : declared[i]->results()) wanted.push_back({&table[i], value});
+  return set_options(job, table, wanted);
 }
 
 }  // namespace plico::cli

@@ -7,17 +7,25 @@
 #include <iterator>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "help.h"
 #include "parse.h"
 #include "plico/base/error.h"
 #include "plico/base/version.h"
-#include "session.h"
-#include "shared_options.h"
-#include "suggest.h"
+#include "plico/workflow/jobs/shared_options.h"
+#include "plico/workflow/jobs/suggest.h"
+#include "terminal.h"
 
 namespace plico::cli {
 namespace {
+
+using jobs::did_you_mean;
+using jobs::ExitCode;
+using jobs::kBadInput, jobs::kDone, jobs::kFile, jobs::kInternal, jobs::kMemory, jobs::kUsage;
+using jobs::nearest_word;
+using jobs::Session;
+using jobs::SharedOptions;
 
 // A failure as it is told to people and, with --json, to programs.
 struct Failure {
@@ -27,6 +35,10 @@ struct Failure {
 
 Failure failure_of(const Error& error, ExitCode exit_code) {
   return {exit_code, error.code(), error.what(), error.where(), error.suggestion()};
+}
+
+Failure bug(const std::exception& error) {
+  return {kInternal, "internal/bug", error.what(), {}, "report this with the command line and the input"};
 }
 
 // The exception that is being handled, as a failure.
@@ -42,8 +54,12 @@ Failure current_failure() {
   } catch (const std::bad_alloc&) {
     return {
         kMemory, "system/memory", "out of memory", {}, "use a mesh with fewer faces, or a machine with more memory"};
+  } catch (const std::system_error& error) {
+    if (error.code() != std::errc::resource_unavailable_try_again) return bug(error);
+    return {
+        kMemory, "system/threads", "the system gives no more threads", {}, "close other programs, or add --threads 1"};
   } catch (const std::exception& error) {
-    return {kInternal, "internal/bug", error.what(), {}, "report this with the command line and the input"};
+    return bug(error);
   }
 }
 
@@ -76,18 +92,17 @@ bool asks(const std::vector<std::string>& words, const std::string& question) {
 }
 
 // The commands whose first of two words is `group`.
-std::vector<Command> members(const std::vector<Command>& commands, const std::string& group) {
-  std::vector<Command> result;
+std::vector<Job> members(const std::vector<Job>& commands, const std::string& group) {
+  std::vector<Job> result;
   std::ranges::copy_if(commands, std::back_inserter(result),
-                       [&](const Command& command) { return command.name.starts_with(group + " "); });
+                       [&](const Job& command) { return command.name.starts_with(group + " "); });
   return result;
 }
 
-[[noreturn]] void refuse_unknown(const std::vector<Command>& commands, const std::vector<std::string>& words) {
+[[noreturn]] void refuse_unknown(const std::vector<Job>& commands, const std::vector<std::string>& words) {
   std::vector<std::string> names, seconds;
-  for (const Command& command : commands) names.push_back(command.name);
-  for (const Command& command : members(commands, words[0]))
-    seconds.push_back(command.name.substr(words[0].size() + 1));
+  for (const Job& command : commands) names.push_back(command.name);
+  for (const Job& command : members(commands, words[0])) seconds.push_back(command.name.substr(words[0].size() + 1));
   if (seconds.empty())
     throw InvalidOption(
         fmt::format("'{}' is not a command of plico{}", words[0], did_you_mean(nearest_word(words[0], names))),
@@ -99,11 +114,10 @@ std::vector<Command> members(const std::vector<Command>& commands, const std::st
 }
 
 // The command that the first words name ("info", "origami info") and how many words that takes; null when none does.
-std::pair<const Command*, int> find_command(const std::vector<Command>& commands,
-                                            const std::vector<std::string>& words) {
+std::pair<const Job*, int> find_command(const std::vector<Job>& commands, const std::vector<std::string>& words) {
   for (int taken = std::min<int>(2, static_cast<int>(words.size())); taken >= 1; --taken) {
     const std::string name = taken == 2 ? words[0] + " " + words[1] : words[0];
-    for (const Command& command : commands)
+    for (const Job& command : commands)
       if (command.name == name) return {&command, taken};
   }
   return {nullptr, 0};
@@ -112,26 +126,36 @@ std::pair<const Command*, int> find_command(const std::vector<Command>& commands
 bool is_help(const std::string& word) { return word == "help" || word == "--help" || word == "-h"; }
 
 // `words` name what help is wanted for: nothing, a command, or a group of commands.
-std::string help_for(const std::vector<Command>& commands, std::vector<std::string> words) {
+std::string help_for(const std::vector<Job>& commands, std::vector<std::string> words) {
   if (is_help(words[0])) words.erase(words.begin());
   if (words.empty()) return program_help(commands);
-  if (const Command* command = find_command(commands, words).first) return command_help(*command);
-  if (const std::vector<Command> group = members(commands, words[0]); !group.empty()) return group_help(group);
+  if (const Job* command = find_command(commands, words).first) return command_help(*command);
+  if (const std::vector<Job> group = members(commands, words[0]); !group.empty()) return group_help(group);
   refuse_unknown(commands, words);
 }
 
-int run_command(const Command& command, const std::vector<std::string>& words) {
+int run_session(Session& session, const Job& job, Terminal& terminal, const SharedOptions& shared) {
+  const int exit_code = job.run(session);
+  terminal.end_progress();
+  session.finish(exit_code);
+  if (shared.json) print(session.report().dump(2) + "\n");
+  if (session.worth_repeating()) session.say(session.repeat_command());
+  return exit_code;
+}
+
+int run_command(const Job& job, const std::vector<std::string>& words) {
   SharedOptions shared;
   bool json = asks(words, "--json");
   try {
-    const std::vector<Option> table = with_shared_options(command, shared);
-    std::vector<Given> given = parse(command, table, words);
+    const std::vector<Option> table = with_shared_options(job, shared);
+    std::vector<Given> given = parse(job, table, words);
     json = shared.json;
     check(shared);
-    Session session(shared, command.name, std::move(given));
-    const int exit_code = command.run(session);
-    session.finish(exit_code);
-    return exit_code;
+    Terminal terminal(shared);
+    jobs::DiskFiles files;
+    const auto tell = [&](const jobs::Message& message) { terminal.tell(message); };
+    Session session(shared, job.name, std::move(given), {files, tell, terminal.run()});
+    return run_session(session, job, terminal, shared);
   } catch (...) {
     return fail(json);
   }
@@ -139,7 +163,7 @@ int run_command(const Command& command, const std::vector<std::string>& words) {
 
 }  // namespace
 
-int run_program(const std::vector<Command>& commands, const std::vector<std::string>& words) {
+int run_program(const std::vector<Job>& commands, const std::vector<std::string>& words) {
   if (words.empty()) {
     print(program_help(commands), stderr);
     return kUsage;

@@ -3,11 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "command.h"
+#include "plico/workflow/jobs/job.h"
 
 namespace plico::cli {
 
 // `words` is the command line without the program's name. Returns the exit code (session.h).
-int run_program(const std::vector<Command>& commands, const std::vector<std::string>& words);
+int run_program(const std::vector<jobs::Job>& commands, const std::vector<std::string>& words);
 
 }  // namespace plico::cli

@@ -15,11 +15,12 @@ add_test(NAME structure/include_order_finds_wrong_includes
 add_test(NAME structure/file_length COMMAND ${CMAKE_CURRENT_LIST_DIR}/file_length ${PROJECT_SOURCE_DIR})
 add_test(NAME structure/one_libm COMMAND ${CMAKE_CURRENT_LIST_DIR}/one_libm ${PROJECT_SOURCE_DIR})
 add_test(NAME structure/one_libm_finds_others COMMAND ${CMAKE_CURRENT_LIST_DIR}/one_libm_test)
+add_test(NAME structure/doxygen_reads_our_comments COMMAND ${CMAKE_CURRENT_LIST_DIR}/doxygen_filter_test ${PROJECT_SOURCE_DIR})
 # What an assertion or debug information calls a file must not depend on where it was built. Coverage needs true paths.
 if(NOT PLICO_COVERAGE)
   add_test(NAME structure/no_path_in_program
     COMMAND ${CMAKE_CURRENT_LIST_DIR}/no_path $<TARGET_FILE:plico_program> ${PROJECT_SOURCE_DIR})
   set_tests_properties(structure/no_path_in_program PROPERTIES LABELS structure TIMEOUT 60)
 endif()
-set_tests_properties(structure/one_libm structure/one_libm_finds_others structure/include_order structure/include_order_finds_wrong_includes structure/file_length
+set_tests_properties(structure/doxygen_reads_our_comments structure/one_libm structure/one_libm_finds_others structure/include_order structure/include_order_finds_wrong_includes structure/file_length
   PROPERTIES LABELS structure TIMEOUT 60)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -49,7 +50,11 @@ void parallel_for(const Run& run, int n, const std::function<void(int)>& body) {
   };
   {
     std::vector<std::jthread> threads;
-    for (int t = 1; t < workers; ++t) threads.emplace_back(work);
+    try {
+      for (int t = 1; t < workers; ++t) threads.emplace_back(work);
+    } catch (const std::system_error&) {
+      // The system gives no more threads: those there are, and this one, do the same work.
+    }
     work();
   }
   for (const std::exception_ptr& failure : failures)

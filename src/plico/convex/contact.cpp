@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "plico/convex/cut_loss.h"
+#include "plico/geom/convex2.h"
 #include "plico/geom/polygon.h"
 
 namespace plico {

@@ -9,6 +9,7 @@
 #include "plico/base/error.h"
 #include "plico/fabricate/pieces.h"
 #include "plico/fabricate/split.h"
+#include "plico/geom/convex2.h"
 #include "plico/geom/polygon.h"
 #include "plico/mesh/segmentation.h"
 
@@ -100,12 +101,13 @@ std::vector<PlaceItem> place_items(const Unfolding& net, const Tabs& tabs) {
 class Assembler {
  public:
   Assembler(const NetSides& sides, const Outlines& outlines, const Tabs& tabs, const Placed& placed,
-            const FoldedShape& shape, const LayoutOptions& options)
+            const FoldedShape& shape, const std::vector<PartTitle>& titles, const LayoutOptions& options)
       : sides_(sides),
         net_(sides.net()),
         outlines_(outlines),
         placed_(placed),
         shape_(shape),
+        titles_(titles),
         options_(options),
         tab_of_(net_.sheet.num_edges(), nullptr) {
     for (const NetTab& tab : tabs.tabs) tab_of_[tab.edge] = &tab;
@@ -115,7 +117,8 @@ class Assembler {
     std::vector<PlacedPart> parts(net_.num_parts());
     for (std::size_t p = 0; p < parts.size(); ++p) {
       parts[p].part = static_cast<int>(p);
-      parts[p].name = part_name(static_cast<int>(p));
+      parts[p].name = titles_[p].id;
+      parts[p].title = titles_[p].name;
       parts[p].page = placed_.placements[p].page;
       add_outlines(parts[p]);
     }
@@ -182,24 +185,64 @@ class Assembler {
   const Outlines& outlines_;
   const Placed& placed_;
   const FoldedShape& shape_;
+  const std::vector<PartTitle>& titles_;
   const LayoutOptions& options_;
   std::vector<const NetTab*> tab_of_;
 };
 
-// "A:1", "A:2", ... in the order of walking around the parts; both edges of a seam get the one first met. Seams that
-// wanted a tab and have none are marked, they need tape.
-std::vector<std::string> seam_names(const Unfolding& net, const Outlines& outlines, const Tabs& tabs) {
+// The number of every edge that is glued: given, or counted walking around the parts. Seams within a part are counted
+// by themselves, those between parts together.
+std::vector<int> seam_numbers(const NetSides& sides, const Outlines& outlines, const std::vector<int>& given) {
+  const Unfolding& net = sides.net();
+  std::vector<int> number(net.sheet.num_edges());
+  int between = given.empty() ? 0 : std::ranges::max(given);
+  for (const auto& loops : outlines) {
+    int within = 0;
+    for (const auto& loop : loops)
+      for (int e : loop) {
+        const int mate = net.mate[e];
+        if (mate < 0 || number[e] > 0) continue;
+        const bool is_within = sides.part(e) == sides.part(mate);
+        const int known = is_within || e >= static_cast<int>(given.size()) ? 0 : given[e];
+        number[e] = number[mate] = known > 0 ? known : is_within ? ++within : ++between;
+      }
+  }
+  return number;
+}
+
+// "12" within a part, "B12" on the edge that is glued to part B. Seams that wanted a tab and have none are marked, they
+// need tape.
+std::vector<std::string> seam_names(const NetSides& sides, const Outlines& outlines, const Tabs& tabs,
+                                    const std::vector<PartTitle>& titles, const std::vector<int>& given) {
+  const Unfolding& net = sides.net();
   std::vector<std::string> names(net.sheet.num_edges());
-  for (std::size_t p = 0; p < outlines.size(); ++p) {
-    int number = 0;
-    for (const auto& loop : outlines[p])
-      for (int e : loop)
-        if (net.mate[e] >= 0 && names[e].empty())
-          names[e] = names[net.mate[e]] = fmt::format("{}:{}", part_name(static_cast<int>(p)), ++number);
+  const std::vector<int> number = seam_numbers(sides, outlines, given);
+  for (int e = 0; e < net.sheet.num_edges(); ++e) {
+    if (number[e] == 0) continue;
+    const int here = sides.part(e), there = sides.part(net.mate[e]);
+    names[e] = fmt::format("{}{}", here == there ? "" : titles[there].id, number[e]);
   }
   for (int e : tabs.without)
     for (int side : {e, net.mate[e]}) names[side] += "°";
   return names;
+}
+
+// Of each part of the net, which may have been cut further: the first piece of a named part "A" is then "A.1".
+std::vector<PartTitle> titles_of(const Unfolding& net, const Unfolding& before, const LayoutOptions& options) {
+  std::vector<PartTitle> titles;
+  if (options.titles.empty()) {
+    for (int part = 0; part < net.num_parts(); ++part) titles.push_back({part_name(part), ""});
+    return titles;
+  }
+  std::vector<int> origin(net.num_parts()), pieces(before.num_parts()), seen(before.num_parts());
+  for (int f = net.sheet.num_faces() - 1; f >= 0; --f) origin[net.part[f]] = before.part[f];
+  for (int from : origin) ++pieces[from];
+  for (int from : origin) {
+    PartTitle title = options.titles[from];
+    if (pieces[from] > 1) title.id += fmt::format(".{}", ++seen[from]);
+    titles.push_back(std::move(title));
+  }
+  return titles;
 }
 
 int count_pages_without_ruler(const PageLayout& layout) {
@@ -244,16 +287,18 @@ LayoutResult lay_out_pages(const Unfolding& model_net, const FoldedShape& shape,
   require_fit(hulls, bare, report.scale, shape, options, options.split);
   const Placed placed = place(items, options.page, options.place, run);
 
+  const std::vector<PartTitle> titles = titles_of(net, model_net, options);
   PageLayout& layout = result.layout;
   layout.pages = placed.pages;
   layout.scale = report.scale;
   layout.folded_size = report.final_size;
   layout.margin = options.page.margin;
   layout.has_taped_seams = options.labels.edge_ids && !report.tabs.without.empty();
-  layout.parts = Assembler(sides, outlines, report.tabs, placed, shape, options).parts();
+  layout.parts = Assembler(sides, outlines, report.tabs, placed, shape, titles, options).parts();
   add_marks(layout, sides, outlines, options.marks);
   run.report("writing labels", 0);
-  report.labels = add_labels(layout, seam_names(net, outlines, report.tabs), Font(), options.labels);
+  report.labels =
+      add_labels(layout, seam_names(sides, outlines, report.tabs, titles, options.seams), Font(), options.labels);
   report.pages = static_cast<int>(layout.pages.size());
   report.parts = static_cast<int>(layout.parts.size());
   report.fill_ratio = placed.fill_ratio;

@@ -13,6 +13,11 @@
 
 namespace plico {
 
+// What a part of the net is called on paper: a short id, as "A", and a name to read, as "head", which may be empty.
+struct PartTitle {
+  std::string id, name;
+};
+
 struct LayoutOptions {
   SizeOptions size;
   PageOptions page;
@@ -20,8 +25,10 @@ struct LayoutOptions {
   TabOptions tabs;
   LabelOptions labels;
   MarkOptions marks;
-  bool split = false;          // cut parts that are too large for a page
-  double flat = radians(0.5);  // folds up to this angle count as flat, radians
+  bool split = false;             // cut parts that are too large for a page
+  double flat = radians(0.5);     // folds up to this angle count as flat, radians
+  std::vector<PartTitle> titles;  // of each part of the net; empty: "A", "B", ...
+  std::vector<int> seams;         // number of each sheet edge glued to another part; empty, or 0 of all: numbered here
 };
 
 struct LayoutReport {

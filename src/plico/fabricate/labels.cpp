@@ -11,6 +11,7 @@
 #include "plico/base/libm.h"
 #include "plico/fabricate/pieces.h"
 #include "plico/fabricate/place.h"
+#include "plico/geom/convex2.h"
 #include "plico/geom/polygon.h"
 
 namespace plico {
@@ -98,9 +99,15 @@ class Labeller {
     for (const PlacedPanel& panel : part.panels) panels.push_back(&panel);
     std::ranges::stable_sort(panels, std::greater<>(), [](const PlacedPanel* p) { return signed_area(p->corners); });
     if (panels.size() > 8) panels.resize(8);
+    if (!part.title.empty() && write_large(part, panels, fmt::format("{} {}", part.name, part.title))) return;
+    write_large(part, panels, part.name);
+  }
+
+  bool write_large(PlacedPart& part, const std::vector<const PlacedPanel*>& panels, const std::string& text) {
     for (double pt : {20.0, 16.0, 12.0, 9.0})
       for (const PlacedPanel* panel : panels)
-        if (write_in(part, panel->corners, part.name, centroid(panel->corners), 0, pt * kMillimetresPerPoint)) return;
+        if (write_in(part, panel->corners, text, centroid(panel->corners), 0, pt * kMillimetresPerPoint)) return true;
+    return false;
   }
 
   void label_edges(PlacedPart& part) {

@@ -1,4 +1,5 @@
-// Edge ids: the same short text on both edges of a seam, where it can be read.
+// Edge ids: a short text on both edges of a seam, where it can be read: its number, and before it the part that the
+// other edge is on, when that is another one.
 #pragma once
 #include <vector>
 
@@ -9,7 +10,7 @@ namespace plico {
 
 struct LabelOptions {
   bool edge_ids = true;
-  bool part_names = true;  // a large letter on each part when there are several
+  bool part_names = true;  // a large letter on each part, and its name, when there are several
   double size_pt = 7;      // wanted size of an edge id, in [min_pt, 24]
   double smallest_pt = 4;  // an id is made smaller down to this, in [3, size_pt]
 };

@@ -22,6 +22,7 @@ class NetSides {
   PanelSide side(int edge) const { return first_[edge]; }
   PanelSide second_side(int edge) const { return second_[edge]; }
   bool is_fold(int edge) const { return second_[edge].panel >= 0; }
+  int part(int edge) const { return net_.part[first_[edge].panel]; }
   Vec2 from(PanelSide s) const { return corner(s.panel, s.side); }
   Vec2 to(PanelSide s) const { return corner(s.panel, s.side + 1); }
   const Unfolding& net() const { return net_; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plico/geom/convex2.h"
 #include "plico/geom/polygon.h"
 #include "plico/geom/predicates.h"
 
@@ -38,13 +39,6 @@ Eigen::AlignedBox2d box_of(std::span<const Vec2> points) {
 }
 
 }  // namespace
-
-std::vector<std::vector<Vec2>> convex_pieces(const std::vector<Vec2>& polygon) {
-  if (is_convex(polygon)) return {polygon};
-  std::vector<std::vector<Vec2>> pieces;
-  for (const auto& [i, j, k] : triangulate(polygon)) pieces.push_back({polygon[i], polygon[j], polygon[k]});
-  return pieces;
-}
 
 bool contains(std::span<const Vec2> polygon, std::span<const Vec2> shape) {
   for (const Vec2& p : shape)

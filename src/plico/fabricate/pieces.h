@@ -9,9 +9,6 @@
 
 namespace plico {
 
-// The polygon itself when it is convex, its triangles otherwise. Counter-clockwise in, counter-clockwise out.
-std::vector<std::vector<Vec2>> convex_pieces(const std::vector<Vec2>& polygon);
-
 // Does the convex `shape` lie in the polygon, touching allowed? The polygon is simple and counter-clockwise. Exact.
 bool contains(std::span<const Vec2> polygon, std::span<const Vec2> shape);
 

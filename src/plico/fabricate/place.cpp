@@ -10,6 +10,7 @@
 #include "plico/base/libm.h"
 #include "plico/fabricate/cells.h"
 #include "plico/fabricate/split.h"
+#include "plico/geom/convex2.h"
 #include "plico/geom/polygon.h"
 
 namespace plico {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "plico/base/libm.h"
+#include "plico/geom/convex2.h"
 #include "plico/geom/polygon.h"
 
 namespace plico {

@@ -8,6 +8,7 @@
 #include "plico/base/error.h"
 #include "plico/base/libm.h"
 #include "plico/fabricate/pieces.h"
+#include "plico/geom/convex2.h"
 #include "plico/geom/polygon.h"
 
 namespace plico {

@@ -117,8 +117,7 @@ Linkage make_linkage(const CreasePattern& sheet, const std::vector<int>& mate, i
 }
 
 Linkage thickened(Linkage linkage, double thickness, const std::vector<double>& offset) {
-  if (!(thickness >= 0) || !std::isfinite(thickness))
-    throw InvalidOption(fmt::format("thickness = {} must be a finite length, at least 0", thickness));
+  require(thickness >= 0 && std::isfinite(thickness), "thickness", thickness, "a finite length, at least 0");
   if (!offset.empty() && offset.size() != linkage.hinges.size())
     throw InvalidOption(fmt::format("{} offsets for {} hinges", offset.size(), linkage.hinges.size()));
   linkage.thickness = thickness;

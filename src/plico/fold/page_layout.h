@@ -47,7 +47,8 @@ struct Mark {
 // One connected part on its page. A rigid motion of the net: nothing is mirrored.
 struct PlacedPart {
   int part = -1;
-  std::string name;  // "A", "B", ... as in the labels
+  std::string name;   // "A", "B", ... as in the labels
+  std::string title;  // a name to read, "head"; may be empty
   int page = 0;
   std::vector<std::vector<Vec2>> outlines;  // closed, with the tabs; the outer one is counter-clockwise
   std::vector<PlacedPanel> panels;

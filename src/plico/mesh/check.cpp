@@ -8,7 +8,6 @@
 #include <numeric>
 
 #include "plico/base/error.h"
-#include "plico/geom/polygon.h"
 #include "plico/geom/predicates.h"
 #include "plico/mesh/face_sides.h"
 #include "plico/mesh/self_intersections.h"
@@ -323,8 +322,8 @@ bool crosses_itself(const PolygonSoup& soup, int face) {
 }
 
 CheckReport check_mesh(const PolygonSoup& soup, const CheckOptions& options) {
-  if (!(options.planarity > 0)) throw InvalidOption(fmt::format("planarity = {} must be above 0", options.planarity));
-  if (options.max_faces < 1) throw InvalidOption(fmt::format("max faces = {} must be at least 1", options.max_faces));
+  require(options.planarity > 0, "planarity", options.planarity, "above 0");
+  require(options.max_faces >= 1, "max faces", options.max_faces, "at least 1");
   return Checker(soup, options).run();
 }
 

@@ -27,6 +27,14 @@ void check_face(const PolygonSoup& soup, int f) {
                        describe_face(soup, f), "plico check --repair");
 }
 
+void check_points(const PolygonSoup& soup) {
+  if (soup.num_faces() == 0)
+    throw InvalidInput("mesh/empty", fmt::format("{} vertices but no faces", soup.num_points()));
+  for (int v = 0; v < soup.num_points(); ++v)
+    if (!soup.points[v].allFinite())
+      throw InvalidInput("mesh/not-a-number", fmt::format("vertex {} has coordinates that are not finite", v));
+}
+
 }  // namespace
 
 std::string describe_face(const PolygonSoup& soup, int face) {
@@ -44,6 +52,7 @@ std::string describe_vertex(const PolygonSoup& soup, int vertex) {
 }
 
 Mesh::Mesh(PolygonSoup soup) : soup_(std::move(soup)) {
+  check_points(soup_);
   face_.resize(soup_.corners.size());
   for (FaceId f : faces()) {
     check_face(soup_, f);

@@ -21,9 +21,10 @@ class Mesh {
  public:
   Mesh() = default;
 
-  // Builds the adjacency. Throws InvalidInput when an index is out of range, a face has under 3 corners or repeats a
-  // vertex, an edge has more than two faces, two neighbours run along their edge in the same direction, or the faces
-  // around a vertex make more than one fan. mesh/check.h lists all such problems at once. O(n) expected.
+  // Builds the adjacency. Throws InvalidInput when there is no face, a coordinate is not finite, an index is out of
+  // range, a face has under 3 corners or repeats a vertex, an edge has more than two faces, two neighbours run along
+  // their edge in the same direction, or the faces around a vertex make more than one fan. mesh/check.h lists all such
+  // problems at once. O(n) expected.
   explicit Mesh(PolygonSoup soup);
 
   int num_vertices() const { return soup_.num_points(); }

@@ -337,9 +337,8 @@ class Simplifier {
 }  // namespace
 
 void check(const SimplifyOptions& options) {
-  if (options.faces < 4) throw InvalidOption(fmt::format("faces = {} must be at least 4", options.faces));
-  if (!(options.evenness >= 0 && std::isfinite(options.evenness)))
-    throw InvalidOption(fmt::format("evenness = {} must be at least 0", options.evenness));
+  require(options.faces >= 4, "faces", options.faces, "at least 4");
+  require(options.evenness >= 0 && std::isfinite(options.evenness), "evenness", options.evenness, "at least 0");
 }
 
 PolygonSoup simplified(const Mesh& mesh, const SimplifyOptions& options) {

@@ -49,13 +49,17 @@ BranchSampler::BranchSampler(const PanelKit& kit, FoldingLaw law, double clearan
   }
 }
 
-void BranchSampler::make_plates(double clearance) {
+Linkage loose_panels(const PanelKit& kit) {
   Linkage linkage;
-  for (const std::vector<Vec2>& outline : kit_.outlines) {
+  for (const std::vector<Vec2>& outline : kit.outlines) {
     std::vector<Vec3>& panel = linkage.panels.emplace_back();
     for (const Vec2& corner : outline) panel.emplace_back(corner.x(), corner.y(), 0);
   }
-  const Plates plates = plico::make_plates(linkage, clearance);
+  return linkage;
+}
+
+void BranchSampler::make_plates(double clearance) {
+  const Plates plates = plico::make_plates(loose_panels(kit_), clearance);
   shape_ = plates.corners;
   first_plate_ = plates.first_of_panel;
   for (int i = 0; i < plates.size(); ++i)

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "plico/base/vec.h"
+#include "plico/fold/linkage.h"
 
 namespace plico {
 
@@ -19,6 +20,9 @@ struct PanelKit {
   std::vector<double> fold_angle;           // of each side when folded, radians, valley > 0
   int num_panels() const { return static_cast<int>(outlines.size()); }
 };
+
+// The panels as a linkage without hinges, each in its own plane.
+Linkage loose_panels(const PanelKit& kit);
 
 // How fold angles follow time: all arrive together, or all turn at one rate and stop.
 enum class FoldingLaw { Linear, Uniform };

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <limits>
 #include <numeric>
 #include <unordered_map>
 
 #include "plico/base/error.h"
+#include "plico/geom/convex2.h"
 #include "plico/motion/penetration.h"
 #include "plico/motion/plates.h"
 
@@ -16,19 +16,17 @@ namespace {
 
 using Path = std::uint64_t;  // a set of joints; in a tree it says which panels it connects
 
-// Do coplanar convex plates share a disc wider than `touch`? Separating axes are the sides' normals.
+// A plate in the plane z = 0 as its polygon.
+struct Outline {
+  const std::vector<Vec3>& corners;
+  std::size_t size() const { return corners.size(); }
+  Vec2 operator[](int i) const { return corners[i].head<2>(); }
+};
+
+// Do coplanar convex plates share a disc wider than `touch`?
 bool overlap(const std::vector<Vec3>& a, const std::vector<Vec3>& b, double touch) {
-  const auto apart_along_sides = [touch](const std::vector<Vec3>& p, const std::vector<Vec3>& q) {
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      const Vec3 side = p[(i + 1) % p.size()] - p[i];
-      const Vec3 out = Vec3(side.y(), -side.x(), 0).normalized();
-      double nearest = std::numeric_limits<double>::infinity();
-      for (const Vec3& corner : q) nearest = std::min(nearest, out.dot(corner - p[i]));
-      if (nearest >= -touch) return true;
-    }
-    return false;
-  };
-  return !apart_along_sides(a, b) && !apart_along_sides(b, a);
+  const auto depth = [touch](const Vec2& side) { return touch * side.norm(); };
+  return !side_separates(Outline{a}, Outline{b}, depth) && !side_separates(Outline{b}, Outline{a}, depth);
 }
 
 class Enumeration {
@@ -67,12 +65,7 @@ class Enumeration {
   enum State : char { Open, Joined, Barred };
 
   void shape_panels() {
-    Linkage loose;
-    for (const std::vector<Vec2>& outline : kit_.outlines) {
-      std::vector<Vec3>& panel = loose.panels.emplace_back();
-      for (const Vec2& corner : outline) panel.emplace_back(corner.x(), corner.y(), 0);
-    }
-    const Plates plates = make_plates(loose, options_.clearance);
+    const Plates plates = make_plates(loose_panels(kit_), options_.clearance);
     plates_.resize(kit_.num_panels());
     for (int i = 0; i < plates.size(); ++i)
       plates_[plates.panel[i]].emplace_back(plates.corners.begin() + plates.first[i],

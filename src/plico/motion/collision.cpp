@@ -106,7 +106,6 @@ bool CollisionChecker::may_collide(int plate_a, int plate_b) const {
 }
 
 bool CollisionChecker::penetrating(int plate_a, int plate_b) {
-  ++num_pairs_tested_;
   const auto placed = [&](int i) {
     return PlacedPlate{&corners_[plates_.first[i]], plates_.num_sides(i), normals_[i], plates_.are_thick};
   };

@@ -37,7 +37,6 @@ class CollisionChecker {
   // All pairs, ascending.
   std::vector<PanelPair> collisions(const Configuration& config);
 
-  long num_pairs_tested() const { return num_pairs_tested_; }  // by the narrow phase, since construction
   double clearance() const { return clearance_; }
   double touch() const { return touch_; }
 
@@ -65,7 +64,6 @@ class CollisionChecker {
   std::vector<int> order_;
   int axis_ = -1;
   int last_a_ = -1, last_b_ = -1;  // plates that collided last
-  long num_pairs_tested_ = 0;
 };
 
 }  // namespace plico

@@ -3,29 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plico/geom/convex2.h"
 #include "plico/geom/polygon.h"
 
 namespace plico {
 namespace {
 
 constexpr double kFlat = 1e-7;  // of the mean side length; also of a normal, as its sine
-
-// What a convex counter-clockwise polygon leaves of another polygon (Sutherland and Hodgman).
-std::vector<Vec2> clipped(std::vector<Vec2> polygon, const std::vector<Vec2>& window) {
-  for (std::size_t i = 0; i < window.size() && !polygon.empty(); ++i) {
-    const Vec2& from = window[i];
-    const Vec2 along = window[(i + 1) % window.size()] - from;
-    std::vector<Vec2> inside;
-    for (std::size_t k = 0; k < polygon.size(); ++k) {
-      const Vec2 &p = polygon[k], &q = polygon[(k + 1) % polygon.size()];
-      const double at_p = cross(along, p - from), at_q = cross(along, q - from);
-      if (at_p >= 0) inside.push_back(p);
-      if ((at_p > 0 && at_q < 0) || (at_p < 0 && at_q > 0)) inside.push_back(p + at_p / (at_p - at_q) * (q - p));
-    }
-    polygon = std::move(inside);
-  }
-  return polygon;
-}
 
 }  // namespace
 

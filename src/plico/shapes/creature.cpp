@@ -144,8 +144,7 @@ std::string_view name(Animal animal) {
 void check(const CreatureOptions& options) {
   if (options.faces < kFewestFaces || options.faces > kMostFaces)
     throw InvalidOption(fmt::format("faces = {} must be in [{}, {}]", options.faces, kFewestFaces, kMostFaces));
-  if (!(options.variety >= 0 && options.variety <= 1))
-    throw InvalidOption(fmt::format("variety = {} must be in [0, 1]", options.variety));
+  require(options.variety >= 0 && options.variety <= 1, "variety", options.variety, "in [0, 1]");
 }
 
 std::vector<Limb> creature_limbs(const CreatureOptions& options) {

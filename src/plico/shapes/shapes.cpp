@@ -238,7 +238,7 @@ PolygonSoup geodesic_sphere(int frequency) {
 PolygonSoup torus(int n, int m, double tube) {
   require("n", n, 3, 1'000'000);
   require("m", m, 3, 1'000'000);
-  if (!(tube > 0 && tube < 1)) throw InvalidOption(fmt::format("tube = {} must be in (0, 1)", tube));
+  require(tube > 0 && tube < 1, "tube", tube, "in (0, 1)");
   PolygonSoup soup;
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < m; ++j) {

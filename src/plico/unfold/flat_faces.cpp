@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "plico/fold/unfolding.h"
+#include "plico/geom/convex2.h"
 #include "plico/geom/polygon.h"
 #include "plico/mesh/measures.h"
 
@@ -12,27 +13,25 @@ namespace {
 // Corner numbers 0, 1, 2: the common case, without a look-up.
 struct Triangle {
   const Vec2* at;
-  static constexpr int count = 3;
+  static constexpr int size() { return 3; }
   const Vec2& operator[](int i) const { return at[i]; }
 };
 struct Indexed {
   const Vec2* at;
   const int* index;
   int count;
+  int size() const { return count; }
   const Vec2& operator[](int i) const { return at[index[i]]; }
 };
 
-// Is some edge line of convex `a` a separator, all of `b` outside it or inside by less than the tolerance?
+struct Touch {
+  double tolerance;
+  double operator()(const Vec2& side) const { return tolerance * (std::abs(side.x()) + std::abs(side.y())); }
+};
+
 template <class A, class B>
-bool separates(const A& a, const B& b, double tolerance) {
-  for (int i = 0, j = a.count - 1; i < a.count; j = i++) {
-    const Vec2 along = a[i] - a[j];
-    const double limit = tolerance * (std::abs(along.x()) + std::abs(along.y()));
-    bool outside = true;
-    for (int k = 0; k < b.count && outside; ++k) outside = cross(along, Vec2(b[k] - a[j])) <= limit;
-    if (outside) return true;
-  }
-  return false;
+bool share_interior(const A& a, const B& b, double tolerance) {
+  return !side_separates(a, b, Touch{tolerance}) && !side_separates(b, a, Touch{tolerance});
 }
 
 }  // namespace
@@ -97,13 +96,13 @@ void FlatFaces::add_pieces(FaceId face) {
 
 bool FlatFaces::pieces_overlap(const Piece& a, const Vec2* at, const Piece& b, const Vec2* other_at) const {
   const Indexed pa{at, &piece_corner_[a.first], a.count}, pb{other_at, &piece_corner_[b.first], b.count};
-  return !separates(pa, pb, tolerance_) && !separates(pb, pa, tolerance_);
+  return share_interior(pa, pb, tolerance_);
 }
 
 bool FlatFaces::overlap(int face, const Vec2* at, int other, const Vec2* other_at) const {
   if (is_triangle_[face] && is_triangle_[other]) {
     const Triangle a{at}, b{other_at};
-    return !separates(a, b, tolerance_) && !separates(b, a, tolerance_);
+    return share_interior(a, b, tolerance_);
   }
   for (int i = first_piece_[face]; i < first_piece_[face + 1]; ++i)
     for (int j = first_piece_[other]; j < first_piece_[other + 1]; ++j)

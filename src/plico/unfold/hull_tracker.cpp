@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "plico/geom/polygon.h"
+#include "plico/geom/convex2.h"
 
 namespace plico {
 namespace {

@@ -6,6 +6,7 @@
 #include "plico/base/error.h"
 #include "plico/base/libm.h"
 #include "plico/base/rng.h"
+#include "plico/geom/convex2.h"
 #include "plico/geom/polygon.h"
 #include "plico/mesh/measures.h"
 #include "plico/unfold/by_component.h"

@@ -16,6 +16,7 @@
 #include "plico/segment/given.h"
 #include "plico/workflow/kit_motion.h"
 #include "plico/workflow/parts_file.h"
+#include "plico/workflow/show_proof.h"
 
 namespace plico {
 namespace {
@@ -97,19 +98,6 @@ std::string fold_text(const Mesh& mesh, const CraftOptions& options, const Craft
   return write_fold(file);
 }
 
-ProofStatus status_of(const PathProof& proof) {
-  switch (proof.verdict) {
-    case PathVerdict::Free:
-      return ProofStatus::Proven;
-    case PathVerdict::Collides:
-      return ProofStatus::Collides;
-    case PathVerdict::Undecided:
-    case PathVerdict::NotClosed:
-      break;
-  }
-  return ProofStatus::Undecided;
-}
-
 std::string page_text(const CraftOptions& options, const CraftResult& result, const nlohmann::json& report) {
   ViewerInput page;
   page.title = options.name;
@@ -120,11 +108,9 @@ std::string page_text(const CraftOptions& options, const CraftResult& result, co
     const PathProof& proof = result.motion->proof;
     page.path = result.motion->path;
     page.motion = result.motion_kind;
-    page.proof = status_of(proof);
+    show_proof(page, proof);
     page.proof_note =
         fmt::format("{} pairs of panels examined over {} intervals of time", proof.pair_intervals, proof.intervals);
-    if (proof.verdict == PathVerdict::Collides)
-      page.collisions.push_back({proof.from, proof.to, proof.panel_a, proof.panel_b});
   }
   for (const CraftFile& file : result.files) page.links.emplace_back(file.name, file.name);
   return viewer_page(page);
@@ -155,6 +141,10 @@ CraftResult craft(const Mesh& mesh, const CraftOptions& options, const Run& run)
   run.report("laying out pages", 0);
   LayoutOptions layout = options.layout;
   layout.size.fill_page = true;
+  if (result.kit) {
+    layout.titles = part_titles(result.kit->parts.names, result.kit->pieces);
+    layout.seams = seams_of(mesh, *result.kit);
+  }
   result.layout = lay_out_pages(result.net, folded_shape(mesh), layout, run);
   result.layout_verdict = verify_layout(result.layout.layout);
   add_pages(options, result);

@@ -42,16 +42,6 @@ PanelKit kit_of(const Mesh& mesh) {
   return kit;
 }
 
-// As default_clearance() of the linkage, before there is one.
-double default_clearance_of(const PanelKit& kit) {
-  Linkage linkage;
-  for (const std::vector<Vec2>& outline : kit.outlines) {
-    std::vector<Vec3>& panel = linkage.panels.emplace_back();
-    for (const Vec2& corner : outline) panel.emplace_back(corner.x(), corner.y(), 0);
-  }
-  return default_clearance(linkage);
-}
-
 // Counts collisions at samples of the motion; looks closer by more samples and in the end by the proof.
 class SampledCost : public MotionCost {
  public:
@@ -180,7 +170,7 @@ FoldableNet find_foldable_net(const Mesh& mesh, const FoldableNetOptions& option
                        fmt::format("the mesh has {} components, a foldable net needs one", components(mesh).count), {},
                        "plico unfold --foldable none");
   const PanelKit kit = kit_of(mesh);
-  const double clearance = options.clearance > 0 ? options.clearance : default_clearance_of(kit);
+  const double clearance = options.clearance > 0 ? options.clearance : default_clearance(loose_panels(kit));
   FoldableNet result;
   result.crossing = crossing_faces(mesh, clearance);
   if (!result.crossing.empty()) {

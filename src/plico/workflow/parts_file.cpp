@@ -37,11 +37,10 @@ Json neighbors_json(const std::vector<SeamLength>& seams, int part) {
   return list;
 }
 
-// Number of every sheet edge, null where nothing of another part is glued.
+// Null where nothing of another part is glued.
 Json seams_json(const Mesh& mesh, const Kit& result) {
-  const std::vector<int> number = seam_numbers(mesh, result.parts);
   Json list = Json::array();
-  for (int e : result.net.mesh_edge) list.push_back(number[e] > 0 ? Json(number[e]) : Json());
+  for (int number : seams_of(mesh, result)) list.push_back(number > 0 ? Json(number) : Json());
   return list;
 }
 
@@ -100,6 +99,30 @@ FoldFile part_motion_file(const ProvenPart& part) {
   FoldFile file = fold_file(part.shape.mesh, part.net);
   if (part.motion) set_path(file, linkage_of(part.net), part.motion->path);
   return file;
+}
+
+std::vector<int> seams_of(const Mesh& mesh, const Kit& kit) {
+  const std::vector<int> number = seam_numbers(mesh, kit.parts);
+  std::vector<int> of_sheet;
+  for (int e : kit.net.mesh_edge) of_sheet.push_back(number[e]);
+  return of_sheet;
+}
+
+std::vector<PartTitle> part_titles(const std::vector<std::string>& names, const std::vector<std::vector<int>>& pieces) {
+  std::size_t count = 0;
+  for (const std::vector<int>& of_part : pieces) count += of_part.size();
+  std::vector<PartTitle> titles(count);
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    for (std::size_t k = 0; k < pieces[i].size(); ++k) {
+      const int piece = pieces[i][k];
+      if (piece < 0 || piece >= static_cast<int>(count) || !titles[piece].id.empty())
+        refuse_claim(fmt::format("piece {} is of no part, or of two", piece),
+                     fmt::format("{}[{}].pieces", kPartsKey, i));
+      const bool is_id = names[i].size() <= 2 && !names[i].empty();
+      titles[piece] = {is_id ? names[i] : part_name(static_cast<int>(i)), is_id ? "" : names[i]};
+      if (pieces[i].size() > 1) titles[piece].id += fmt::format(".{}", k + 1);
+    }
+  return titles;
 }
 
 std::optional<PartsClaim> parts_claim(const FoldFile& file) {

@@ -3,6 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 
+#include "plico/fabricate/fabricate.h"
 #include "plico/io/pattern/fold.h"
 #include "plico/verify/parts.h"
 #include "plico/workflow/kit.h"
@@ -18,6 +19,13 @@ FoldFile parts_file(const Mesh& mesh, const Kit& result);
 
 // The net of one part with its motion; its mesh numbers are those of the part.
 FoldFile part_motion_file(const ProvenPart& part);
+
+// What the parts are called on paper, in the order of the net's parts: a name of one or two characters is its id, longer
+// ones get a letter; a part in several pieces, "A.1", "A.2".
+std::vector<PartTitle> part_titles(const std::vector<std::string>& names, const std::vector<std::vector<int>>& pieces);
+
+// The number of every sheet edge that is glued to another part, 0 of others: those of the key edges_plico:seam.
+std::vector<int> seams_of(const Mesh& mesh, const Kit& kit);
 
 // What a file says about its parts; nothing when it says nothing. Throws InvalidInput ("fold/parts") when it cannot be
 // read.

@@ -123,8 +123,7 @@ bool is_for_loops(MotionMethod method) { return method >= MotionMethod::Continua
 std::string_view name(MotionMethod method) { return kMethods[static_cast<std::size_t>(method)]; }
 
 MotionOutcome plan_motion(const Linkage& linkage, const MotionOptions& options, const Run& run) {
-  if (options.alternatives < 1)
-    throw InvalidOption(fmt::format("alternatives = {} must be at least 1", options.alternatives));
+  require(options.alternatives >= 1, "alternatives", options.alternatives, "at least 1");
   if (is_for_loops(options.method))
     throw InvalidOption(fmt::format("{} is for crease patterns with loops; this sheet has none", name(options.method)));
   refuse_goal_beyond_limits(linkage);
@@ -133,8 +132,8 @@ MotionOutcome plan_motion(const Linkage& linkage, const MotionOptions& options, 
 
 NoiseVerdict fold_with_noise(const Linkage& linkage, const FoldingPath& path, double noise, int samples,
                              std::uint64_t seed, double clearance, const Run& run) {
-  if (!(noise >= 0)) throw InvalidOption(fmt::format("angle noise = {} must be at least 0", noise));
-  if (samples < 1) throw InvalidOption(fmt::format("samples = {} must be at least 1", samples));
+  require(noise >= 0, "angle noise", noise, "at least 0");
+  require(samples >= 1, "samples", samples, "at least 1");
   constexpr int kSteps = 100;
   const Rng rng(seed);
   std::vector<double> stop(samples, -1);

@@ -18,7 +18,7 @@ struct Sample {
   int verbose = 0, rounds = 7;
   double ratio = 0.5, height = NAN, tilt = NAN, limit = 0;
   std::uint64_t seed = 1;
-  Command command{"sample", "A sample"};
+  Job command{"sample", "A sample"};
 
   Sample() {
     command.positional("mesh", "a mesh", mesh)

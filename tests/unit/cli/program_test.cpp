@@ -7,12 +7,18 @@
 #include <new>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <system_error>
 
 #include "plico/base/error.h"
-#include "session.h"
+#include "plico/workflow/jobs/session.h"
 
 namespace plico::cli {
 namespace {
+
+using jobs::Job;
+using jobs::kDone;
+using jobs::kNo;
+using jobs::Session;
 
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -26,19 +32,19 @@ struct Outcome {
   std::string out, err;
 };
 
-Outcome run(const std::vector<Command>& commands, const std::vector<std::string>& words) {
+Outcome run(const std::vector<Job>& commands, const std::vector<std::string>& words) {
   CaptureStdout();
   CaptureStderr();
   const int exit_code = run_program(commands, words);
   return {exit_code, GetCapturedStdout(), GetCapturedStderr()};
 }
 
-Command acting(const std::string& name, std::function<int(Session&)> action) {
-  return Command(name, "Act").example("plico " + name, "an example").action(std::move(action));
+Job acting(const std::string& name, std::function<int(Session&)> action) {
+  return Job(name, "Act").example("plico " + name, "an example").action(std::move(action));
 }
 
 template <class Failure>
-Command throwing(const Failure& failure) {
+Job throwing(const Failure& failure) {
   return acting("act", [failure](Session&) -> int { throw failure; });
 }
 
@@ -49,12 +55,13 @@ TEST(Program, EveryKindOfFailureHasItsExitCode) {
   EXPECT_EQ(run({throwing(std::logic_error("internal error"))}, {"act"}).exit_code, 70);
   EXPECT_EQ(run({throwing(std::bad_alloc())}, {"act"}).exit_code, 71);
   EXPECT_THAT(run({throwing(std::bad_alloc())}, {"act"}).err, StartsWith("plico: system/memory: out of memory"));
+  const std::system_error no_thread(std::make_error_code(std::errc::resource_unavailable_try_again));
+  EXPECT_EQ(run({throwing(no_thread)}, {"act"}).exit_code, 71);
   EXPECT_EQ(run({acting("act", [](Session&) { return int{kNo}; })}, {"act"}).exit_code, 1);
 }
 
 TEST(Program, AFailureNamesCodePlaceAndWhatToTry) {
-  const Command act =
-      throwing(InvalidInput("mesh/fan", "two fans meet", "vertex 7 (near 1 2 3)", "plico check --repair"));
+  const Job act = throwing(InvalidInput("mesh/fan", "two fans meet", "vertex 7 (near 1 2 3)", "plico check --repair"));
   const Outcome plain = run({act}, {"act"});
   EXPECT_EQ(plain.err,
             "plico: mesh/fan: two fans meet\n  where: vertex 7 (near 1 2 3)\n  try:   plico check --repair\n");
@@ -67,7 +74,7 @@ TEST(Program, AFailureNamesCodePlaceAndWhatToTry) {
 }
 
 TEST(Program, TheReportHasWhatTheCommandAdds) {
-  const Command act = acting("act", [](Session& session) {
+  const Job act = acting("act", [](Session& session) {
     session.report()["faces"] = 12;
     return int{kDone};
   });
@@ -79,8 +86,8 @@ TEST(Program, TheReportHasWhatTheCommandAdds) {
 
 TEST(Program, CommandsOfTwoWordsFormAGroup) {
   const auto done = [](int code) { return [code](Session&) { return code; }; };
-  const std::vector<Command> commands = {acting("sheet info", done(0)), acting("sheet make", done(1)),
-                                         acting("sheer", done(5))};
+  const std::vector<Job> commands = {acting("sheet info", done(0)), acting("sheet make", done(1)),
+                                     acting("sheer", done(5))};
   EXPECT_EQ(run(commands, {"sheet", "make"}).exit_code, 1);
   EXPECT_EQ(run(commands, {"sheer"}).exit_code, 5);
   EXPECT_THAT(run(commands, {"sheet"}).err, HasSubstr("plico sheet needs one of: info, make\n"));

@@ -1,11 +1,12 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <set>
 
 #include "fabricate_samples.h"
 #include "plico/base/error.h"
 #include "plico/fabricate/fabricate.h"
-#include "plico/geom/polygon.h"
+#include "plico/fabricate/net_sides.h"
 #include "plico/verify/page_layout.h"
 
 namespace plico {
@@ -51,6 +52,51 @@ TEST(PageLayout, TheCubeHasSevenTabsOfFullDepth) {
   EXPECT_EQ(report.tabs.full, 7);
   EXPECT_EQ(report.tabs.omitted, 0);
   EXPECT_EQ(report.labels.placed, 14);
+}
+
+// The texts of the labels of a part, sorted.
+std::vector<std::string> texts(const PlacedPart& part) {
+  std::vector<std::string> all;
+  for (const Label& label : part.labels) all.push_back(label.text);
+  std::ranges::sort(all);
+  return all;
+}
+
+TEST(PageLayout, AnIdIsANumberAndThePartThatTheOtherEdgeIsOn) {
+  Unfolding net = net_of(cube());
+  const NetSides sides(net);
+  std::vector<char> cuts(net.sheet.num_edges());
+  for (int e = 0; e < net.sheet.num_edges() && !std::ranges::count(cuts, 1); ++e) cuts[e] = sides.is_fold(e);
+  net = cut_folds(net, cuts);
+  ASSERT_EQ(net.num_parts(), 2);
+  LayoutOptions options = of_longest(30);
+  options.titles = {{"A", "head"}, {"B", ""}};
+  const LayoutResult result = lay_out_pages(net, folded_shape(cube()), options);
+  ASSERT_EQ(result.layout.parts.size(), 2u);
+  std::set<std::string> here, there;
+  for (const std::string& text : texts(result.layout.parts[0]))
+    if (text.starts_with("B")) here.insert(text.substr(1));
+  for (const std::string& text : texts(result.layout.parts[1]))
+    if (text.starts_with("A")) there.insert(text.substr(1));
+  EXPECT_FALSE(here.empty());
+  EXPECT_EQ(here.count("1"), 1u);
+  EXPECT_THAT(texts(result.layout.parts[0]), testing::Contains("A head"));
+  for (const std::string& number : here) EXPECT_TRUE(there.contains(number)) << number;
+}
+
+TEST(PageLayout, SeamNumbersThatAreKnownAreKept) {
+  Unfolding net = net_of(cube());
+  const NetSides sides(net);
+  std::vector<char> cuts(net.sheet.num_edges());
+  for (int e = 0; e < net.sheet.num_edges(); ++e) cuts[e] = sides.is_fold(e);
+  net = cut_folds(net, cuts);  // six squares, every seam between two of them
+  LayoutOptions options = of_longest(30);
+  options.seams.assign(net.sheet.num_edges(), 0);
+  options.seams[0] = options.seams[net.mate[0]] = 77;
+  int seen = 0;
+  for (const PlacedPart& part : lay_out_pages(net, folded_shape(cube()), options).layout.parts)
+    for (const std::string& text : texts(part)) seen += text.ends_with("77");
+  EXPECT_EQ(seen, 2);
 }
 
 TEST(PageLayout, ASideHasTheAskedLength) {

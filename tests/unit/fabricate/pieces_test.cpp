@@ -5,7 +5,7 @@
 #include "plico/base/rng.h"
 #include "plico/fabricate/cells.h"
 #include "plico/fabricate/split.h"
-#include "plico/geom/polygon.h"
+#include "plico/geom/convex2.h"
 
 namespace plico {
 namespace {

@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 
 #include "plico/base/error.h"
-#include "plico/geom/polygon.h"
 
 namespace plico {
 namespace {

@@ -62,7 +62,7 @@ TEST(Hull3, NoPointLiesAboveAFacet) {
 }
 
 TEST(Hull3, IsEmptyWithoutFourPointsThatSpanSpace) {
-  EXPECT_TRUE(convex_hull({}).empty());
+  EXPECT_TRUE(convex_hull(std::vector<Vec3>{}).empty());
   EXPECT_TRUE(convex_hull(std::vector<Vec3>(7, Vec3(1, 2, 3))).empty());
   EXPECT_TRUE(convex_hull(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {3, 2, 0}}).empty());
 }

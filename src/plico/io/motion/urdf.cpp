@@ -1,7 +1,7 @@
 #include "plico/io/motion/urdf.h"
 
 #include "plico/base/error.h"
-#include "plico/geom/polygon.h"
+#include "plico/geom/convex2.h"
 #include "plico/io/motion/panel_joints.h"
 
 namespace plico {

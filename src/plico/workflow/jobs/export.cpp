@@ -1,0 +1,196 @@
+// plico export: a net or a motion as animation, robot model, table, page or picture.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "plico/base/error.h"
+#include "plico/io/motion/angle_plot.h"
+#include "plico/io/motion/csv.h"
+#include "plico/io/motion/gltf.h"
+#include "plico/io/motion/mjcf.h"
+#include "plico/io/motion/png.h"
+#include "plico/io/motion/urdf.h"
+#include "plico/io/motion/viewer.h"
+#include "plico/io/pattern/cp.h"
+#include "plico/io/pattern/fold.h"
+#include "plico/io/pattern/ori.h"
+#include "plico/io/pattern/svg_pattern.h"
+#include "plico/io/text/file.h"
+#include "plico/verify/path.h"
+#include "plico/workflow/jobs/jobs.h"
+#include "plico/workflow/jobs/motion_report.h"
+#include "plico/workflow/jobs/read_sheet.h"
+#include "plico/workflow/jobs/session.h"
+#include "plico/workflow/show_proof.h"
+
+namespace plico::jobs {
+namespace {
+
+constexpr double kProofSeconds = 20;  // for the page's verdict
+
+struct ExportArgs {
+  std::string file, trajectory, title;
+  double at = 1, seconds = 4, grams_per_square_metre = 160, sheet_thickness_mm = 0.2;
+  double azimuth = radians(-35), elevation = radians(28);
+  int width = 1200, height = 900;
+  bool transparent = false;
+};
+
+// What every format is written from.
+struct LoadedMotion {
+  FoldFile file;
+  Linkage linkage;
+  FoldingPath path;
+  std::string title;
+};
+
+std::string name_of(const std::string& path) {
+  return path == "-" ? "sheet" : std::filesystem::path(path).stem().string();
+}
+
+LoadedMotion read_motion(const ExportArgs& args, Session& session) {
+  LoadedMotion motion{read_sheet(args.file, session), {}, {}, args.title};
+  motion.linkage = make_linkage(motion.file.net.sheet, motion.file.net.mate);
+  if (!args.trajectory.empty()) {
+    if (args.file == "-") throw InvalidOption("--trajectory needs the sheet in a file of its own, not standard input");
+    const std::string sheet = session.read(args.file), trajectory = session.read(args.trajectory);
+    set_path(motion.file, motion.linkage, read_trj(trajectory, read_ori(sheet, args.file), args.trajectory));
+  }
+  motion.path = motion.file.path ? *motion.file.path : linear_path(motion.linkage);
+  if (motion.title.empty()) motion.title = name_of(args.file);
+  return motion;
+}
+
+RobotOptions robot_options(const LoadedMotion& motion, const ExportArgs& args) {
+  RobotOptions options;
+  options.name.clear();
+  for (unsigned char c : motion.title) options.name += std::isalnum(c) || c == '-' ? static_cast<char>(c) : '_';
+  options.grams_per_square_metre = args.grams_per_square_metre;
+  options.sheet_thickness_mm = args.sheet_thickness_mm;
+  options.seconds = args.seconds;
+  return options;
+}
+
+std::string robot_file(const RobotFile& file, Session& session) {
+  for (const std::string& warning : file.warnings) {
+    session.warn(warning);
+    session.report()["warnings"].push_back(warning);
+  }
+  return file.text;
+}
+
+std::string picture(const LoadedMotion& motion, const ExportArgs& args) {
+  PictureOptions options;
+  options.width = args.width;
+  options.height = args.height;
+  options.transparent = args.transparent;
+  options.camera.azimuth = args.azimuth;
+  options.camera.elevation = args.elevation;
+  return render_png(motion.linkage, motion.path.at(args.at), options);
+}
+
+// As `plico fold` and `plico unfold` note it; empty when nobody did.
+std::string planner_of(const FoldFile& file) {
+  const nlohmann::json report = nlohmann::json::parse(file.report, nullptr, false);
+  if (!report.is_object() || !report.contains("motion") || !report["motion"].is_object()) return "";
+  const std::string planner = report["motion"].value("planner", "");
+  return planner.empty() || planner == "linear" || planner == "uniform" ? planner : "planned";
+}
+
+// Who shows a motion wants to know whether it folds; what the file says about that is a claim, so it is proven again.
+void add_proof(ViewerInput& page, Session& session) {
+  const PathProof proof = prove_path(page.linkage, *page.path, {}, limited(session.run(), kProofSeconds));
+  show_proof(page, proof);
+  page.proof_note = motion_line(proof);
+  session.report()["motion"] = motion_json(proof);
+  session.say(fmt::format("motion: {}", motion_line(proof)));
+}
+
+std::string page(const LoadedMotion& motion, Session& session) {
+  ViewerInput input;
+  input.title = motion.title;
+  input.unit = motion.file.unit == "unit" ? "" : motion.file.unit;
+  input.linkage = motion.linkage;
+  input.path = motion.path;
+  input.motion = motion.file.path ? planner_of(motion.file) : "linear";
+  input.report = motion.file.report;
+  if (motion.linkage.num_hinges() > 0) add_proof(input, session);
+  return viewer_page(input);
+}
+
+std::string bytes_for(const std::string& path, const LoadedMotion& motion, const ExportArgs& args, Session& session) {
+  const std::string kind = extension(path);
+  if (path.ends_with(".angles.svg")) return write_angle_plot(motion.path, {.title = motion.title});
+  if (kind == "glb") return write_glb(motion.linkage, motion.path, {.seconds = args.seconds});
+  if (kind == "urdf") return robot_file(write_urdf(motion.linkage, motion.path, robot_options(motion, args)), session);
+  if (kind == "xml" || kind == "mjcf")
+    return robot_file(write_mjcf(motion.linkage, motion.path, robot_options(motion, args)), session);
+  if (kind == "csv") return write_trajectory_csv(motion.path);
+  if (kind == "png") return picture(motion, args);
+  if (kind == "html" || kind == "htm") return page(motion, session);
+  if (kind == "svg") return write_svg_pattern(motion.file.net.sheet);
+  if (kind == "cp") return write_cp(motion.file.net.sheet);
+  if (kind == "fold") return write_fold(motion.file);
+  throw InvalidOption(
+      fmt::format("cannot tell what to write from '{}'; the extensions are glb, urdf, xml, csv, png, html, fold, svg, "
+                  "cp, angles.svg",
+                  path));
+}
+
+int export_file(const ExportArgs& args, Session& session) {
+  require(args.at >= 0 && args.at <= 1, "at", args.at, "in [0, 1]");
+  const std::string default_path = args.file == "-" ? "sheet.html" : name_of(args.file) + ".html";
+  const std::vector<std::string> outputs = session.outputs(default_path);
+  const LoadedMotion motion = read_motion(args, session);
+  nlohmann::json& report = session.report();
+  report["panels"] = motion.linkage.num_panels();
+  report["hinges"] = motion.linkage.num_hinges();
+  report["loop_hinges"] = motion.linkage.loop_hinges.size();
+  report["chain_depth"] = chain_depth(motion.linkage);
+  report["waypoints"] = motion.path.waypoints.size();
+  report["has_motion"] = motion.file.path.has_value();
+  if (!motion.file.path) session.say("the file holds no motion: shown as if all creases arrived together");
+  std::vector<std::string> contents;
+  for (const std::string& path : outputs) contents.push_back(bytes_for(path, motion, args, session));
+  for (std::size_t i = 0; i < outputs.size(); ++i) session.write(outputs[i], contents[i]);
+  return kDone;
+}
+
+}  // namespace
+
+Job export_job() {
+  const auto args = std::make_shared<ExportArgs>();
+  return Job("export", "Write a net or a motion as animation, robot model, table, page or picture")
+      .example("plico export bird.fold -o bird.html", "a page with the folding net, opens offline")
+      .example("plico export bird.fold -o bird.glb -o bird.png --at 0.5", "an animation, and a picture half way")
+      .example("plico export bird.fold -o bird.urdf -o bird.xml -o bird.csv", "ROS, MuJoCo, and the angles as a table")
+      .example("plico export crane.cp -o crane.fold -o crane.svg",
+               "a crease pattern as FOLD, and for Origami Simulator")
+      .example("plico export miura.ori.json --trajectory miura.trj.json -o miura.fold",
+               "a motion of the dissertation's author, to be verified")
+      .example("plico export motion.fold -o motion.angles.svg", "fold angles against time, as a figure")
+      .positional(
+          "file",
+          "net, crease pattern or motion: FOLD, .cp, .opx, .ori, .ori.json or SVG in Origami Simulator's colours",
+          args->file)
+      .option("--trajectory", "FILE", "the motion of an .ori or .ori.json file: .trj or .trj.json", args->trajectory)
+      .option("--title", "TEXT", "name shown on the page and given to the robot; the file's name by default",
+              args->title)
+      .option("--at", "TIME", "moment of a picture: 0 flat, 1 folded", args->at)
+      .option("--picture-width", "PIXELS", "of a picture, in [16, 8192]", args->width)
+      .option("--picture-height", "PIXELS", "of a picture, in [16, 8192]", args->height)
+      .angle("--azimuth", "camera of a picture, around the sheet", args->azimuth)
+      .angle("--elevation", "camera of a picture, above the sheet's plane", args->elevation)
+      .flag("--transparent", "a picture without background and shadow", args->transparent)
+      .option("--seconds", "SECONDS", "how long an animation or a trajectory lasts", args->seconds)
+      .option("--grammage", "G_PER_M2", "mass of the sheet in a robot model", args->grams_per_square_metre)
+      .option("--sheet-thickness", "MM", "thickness of panels in a robot model when the linkage has none",
+              args->sheet_thickness_mm)
+      .action([args](Session& session) { return export_file(*args, session); });
+}
+
+}  // namespace plico::jobs

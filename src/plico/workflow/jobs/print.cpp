@@ -1,0 +1,124 @@
+// plico print: a net as pages to print and files to cut.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "plico/base/error.h"
+#include "plico/base/version.h"
+#include "plico/fabricate/fabricate.h"
+#include "plico/io/page/drawing.h"
+#include "plico/io/page/dxf.h"
+#include "plico/io/page/pdf.h"
+#include "plico/io/page/svg.h"
+#include "plico/io/pattern/fold.h"
+#include "plico/io/text/file.h"
+#include "plico/verify/page_layout.h"
+#include "plico/workflow/jobs/jobs.h"
+#include "plico/workflow/jobs/print_options.h"
+#include "plico/workflow/jobs/read_sheet.h"
+#include "plico/workflow/jobs/session.h"
+#include "plico/workflow/parts_file.h"
+
+namespace plico::jobs {
+namespace {
+
+struct NetArgs {
+  std::string net;
+  PrintArgs print;
+};
+
+// What the file knows about the finished model; a file without a folded form has only its flat size.
+FoldedShape shape_of(FoldFile& file) {
+  if (!file.folded.empty() && !file.net.mesh_face.empty() && !file.net.mesh_vertex.empty()) {
+    const Mesh mesh = folded_mesh(file);
+    attach_mesh(file.net, mesh);
+    return folded_shape(mesh);
+  }
+  FoldedShape shape;
+  Eigen::AlignedBox3d box;
+  for (const Vec3& p : file.folded) box.extend(p);
+  for (const Vec2& p : file.net.sheet.vertices)
+    if (file.folded.empty()) box.extend(Vec3(p.x(), p.y(), 0));
+  if (!box.isEmpty()) shape.size = box.sizes();
+  return shape;
+}
+
+// "bunny.svg" for the only page, "bunny-1.svg", "bunny-2.svg", ... for several.
+std::string page_path(const std::string& path, std::size_t page, std::size_t num_pages) {
+  if (num_pages == 1) return path;
+  const std::size_t dot = path.size() - extension(path).size() - 1;
+  return fmt::format("{}-{}{}", path.substr(0, dot), page + 1, path.substr(dot));
+}
+
+void require_kind(const std::string& path) {
+  const std::string kind = extension(path);
+  if (path != "-" && kind != "pdf" && kind != "svg" && kind != "dxf")
+    throw InvalidOption(fmt::format("'{}' is no kind of page that print writes", path), "use .pdf, .svg or .dxf");
+}
+
+void write_pages(Session& session, const std::string& path, const std::vector<Drawing>& pages,
+                 const std::string& title) {
+  const std::string kind = extension(path);
+  if (path == "-" || kind == "pdf") {
+    session.write(path, write_pdf(pages, title, fmt::format("plico {}", plico::version())));
+    return;
+  }
+  for (std::size_t i = 0; i < pages.size(); ++i)
+    session.write(page_path(path, i, pages.size()), kind == "svg" ? write_svg(pages[i]) : write_dxf(pages[i]));
+}
+
+std::string stem(const std::string& path) {
+  if (path == "-") return "net";
+  const std::size_t slash = path.find_last_of('/');
+  const std::string file = slash == std::string::npos ? path : path.substr(slash + 1);
+  return file.substr(0, file.find_last_of('.'));
+}
+
+int print(const NetArgs& args, Session& session) {
+  LayoutOptions options = layout_options(args.print);
+  const std::string name = stem(args.net);
+  const std::vector<std::string> outputs = session.outputs(name + ".pdf");
+  for (const std::string& path : outputs) require_kind(path);
+  FoldFile file = read_sheet(args.net, session);
+  options.size.fill_page = file.unit == "unit";  // a file in millimetres says how large it is
+  if (const auto parts = parts_claim(file)) {
+    options.titles = part_titles(parts->names, parts->pieces);
+    options.seams = parts->seam;
+    if (static_cast<int>(options.titles.size()) != file.net.num_parts())
+      throw InvalidInput(
+          "fold/parts",
+          fmt::format("plico:parts tells of {} pieces, the net has {}", options.titles.size(), file.net.num_parts()),
+          args.net);
+  }
+  const LayoutResult result = lay_out_pages(file.net, shape_of(file), options, session.run());
+  const LayoutVerdict verdict = verify_layout(result.layout);
+  session.report()["print"] = json_of(result.report);
+  session.report()["print"]["overlaps"] = verdict.overlaps;
+  const DrawOptions how = draw_options(args.print, name);
+  const std::vector<Drawing> pages = draw(result.layout, how);
+  for (const std::string& path : outputs) write_pages(session, path, pages, how.title);
+  session.print(layout_text(result.report));
+  for (const std::string& problem : verdict.problems) session.warn(problem);
+  return verdict.sound() ? kDone : kNo;
+}
+
+}  // namespace
+
+Job print_job() {
+  auto args = std::make_shared<NetArgs>();
+  Job job("print", "Lay out a net on pages with glue tabs and edge ids, as PDF, SVG or DXF");
+  job.example("plico print bird.fold --height 150mm", "bird.pdf on A4, the finished bird 150 mm tall")
+      .example("plico print bird.fold --page Letter -o bird.pdf -o bird.svg -o bird.dxf", "one layout in three formats")
+      .example("plico print bird.fold --longest 40cm --split --marks start,seam",
+               "a large model for a class: parts cut to fit, marks to build by")
+      .positional("net", "net or crease pattern: FOLD, .cp, .opx, .ori or SVG; '-' is standard input", args->net);
+  add_print_options(job, args->print);
+  job.action([args](Session& session) { return print(*args, session); });
+  return job;
+}
+
+}  // namespace plico::jobs

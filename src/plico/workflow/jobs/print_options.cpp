@@ -1,0 +1,128 @@
+#include "plico/workflow/jobs/print_options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "plico/base/error.h"
+
+namespace plico::jobs {
+namespace {
+
+TabSide tab_side(const std::string& word) {
+  constexpr std::pair<std::string_view, TabSide> kSides[] = {
+      {"auto", TabSide::Auto},    {"alternate", TabSide::Alternate}, {"left", TabSide::First},
+      {"right", TabSide::Second}, {"both", TabSide::Both},           {"none", TabSide::None}};
+  return std::ranges::find(kSides, word, &std::pair<std::string_view, TabSide>::first)->second;
+}
+
+DrawStyle draw_style(const std::string& word) {
+  if (word == "origami") return DrawStyle::Origami;
+  if (word == "laser") return DrawStyle::Laser;
+  return word == "bw" ? DrawStyle::Bw : DrawStyle::Paper;
+}
+
+MarkOptions mark_options(const std::vector<std::string>& given) {
+  MarkOptions marks;
+  for (const std::string& list : given) {
+    for (std::size_t from = 0; from <= list.size();) {
+      const std::size_t comma = std::min(list.find(',', from), list.size());
+      const std::string word = list.substr(from, comma - from);
+      if (word != "start" && word != "seam")
+        throw InvalidOption(fmt::format("--marks: '{}' is not one of start, seam", word));
+      (word == "start" ? marks.start : marks.seam) = true;
+      from = comma + 1;
+    }
+  }
+  return marks;
+}
+
+}  // namespace
+
+void add_print_options(Job& job, PrintArgs& args) {
+  job.length("--height", "height of the finished model, along --up", args.size.height)
+      .length("--width", "width of the finished model, along x", args.size.width)
+      .length("--longest", "longest side of the finished model; without any size, as large as fits one page a part",
+              args.size.longest)
+      .option("--scale", "K", "millimetres per unit of the model", args.scale)
+      .choice("--up", "axis of the height", args.up, {"y", "z"})
+      .option("--page", "SIZE", "A5, A4, A3, A2, Letter, Legal, Tabloid or WIDTHxHEIGHT", args.page)
+      .flag("--landscape", "turn the page", args.landscape)
+      .length("--margin", "left free around each page", args.margin)
+      .length("--gap", "between parts", args.gap)
+      .flag("--split", "cut parts that are too large for a page along folds", args.split)
+      .choice("--tabs", "which side of a seam has the tab", args.tabs,
+              {"auto", "alternate", "left", "right", "both", "none"})
+      .length("--tab-width", "depth of the tabs", args.tab_width)
+      .angle("--tab-angle", "slant of the tabs", args.tab_angle)
+      .flag("--no-labels", "leave out edge ids and part names", args.no_labels)
+      .option("--label-size", "POINTS", "size of edge ids, made smaller down to 4 where needed", args.label_size)
+      .option("--marks", "LIST", "start: a square where to begin; seam: strokes that meet; or both", args.marks)
+      .choice("--style", "colours and line weights", args.style, {"paper", "origami", "laser", "bw"})
+      .angle("--flat", "folds up to this angle count as flat and are hidden", args.flat)
+      .flag("--show-flat-creases", "draw them all the same", args.show_flat_creases)
+      .option("--title", "TEXT", "name beside the legend; default the file's", args.title);
+}
+
+LayoutOptions layout_options(const PrintArgs& args) {
+  LayoutOptions options;
+  options.size = args.size;
+  options.size.up = args.up[0];
+  options.size.scale = args.scale;
+  options.page = {paper_size(args.page), args.margin};
+  if (args.landscape != (options.page.size.x() > options.page.size.y()) && args.landscape)
+    std::swap(options.page.size.x(), options.page.size.y());
+  options.place.gap = args.gap;
+  options.tabs.side = tab_side(args.tabs);
+  options.tabs.depth = args.tab_width;
+  options.tabs.angle = args.tab_angle;
+  options.labels.edge_ids = options.labels.part_names = !args.no_labels;
+  options.labels.size_pt = args.label_size;
+  options.labels.smallest_pt = std::min(4.0, args.label_size);
+  options.marks = mark_options(args.marks);
+  options.split = args.split;
+  options.flat = args.flat;
+  return options;
+}
+
+DrawOptions draw_options(const PrintArgs& args, const std::string& default_title) {
+  return {draw_style(args.style), args.show_flat_creases, args.title.empty() ? default_title : args.title};
+}
+
+nlohmann::json json_of(const LayoutReport& r) {
+  const Tabs& t = r.tabs;
+  return {{"pages", r.pages},
+          {"parts", r.parts},
+          {"fill_ratio", r.fill_ratio},
+          {"scale_mm_per_unit", r.scale},
+          {"final_size_mm", {r.final_size.x(), r.final_size.y(), r.final_size.z()}},
+          {"folds_cut", r.folds_cut},
+          {"tabs",
+           {{"made", t.tabs.size()},
+            {"full", t.full},
+            {"shrunk", t.shrunk},
+            {"moved", t.moved},
+            {"omitted", t.omitted},
+            {"seams_too_short", t.short_seams}}},
+          {"edge_ids", {{"placed", r.labels.placed}, {"leaders", r.labels.leaders}, {"omitted", r.labels.omitted}}},
+          {"pages_without_ruler", r.pages_without_ruler}};
+}
+
+std::string layout_text(const LayoutReport& r) {
+  const Vec3& s = r.final_size;
+  std::string text =
+      fmt::format("{} {} on {} {}, {:.0f} % of the paper used\n", r.parts, r.parts == 1 ? "part" : "parts", r.pages,
+                  r.pages == 1 ? "page" : "pages", 100 * r.fill_ratio);
+  text += fmt::format("model {:.1f} x {:.1f} x {:.1f} mm ({:.2f} x {:.2f} x {:.2f} in), {:.6g} mm per unit\n", s.x(),
+                      s.y(), s.z(), s.x() / 25.4, s.y() / 25.4, s.z() / 25.4, r.scale);
+  text += fmt::format("tabs: {} ({} smaller, {} on the other side); seams without: {} no room, {} too short\n",
+                      r.tabs.tabs.size(), r.tabs.shrunk, r.tabs.moved, r.tabs.omitted, r.tabs.short_seams);
+  text += fmt::format("edge ids: {} at their edge, {} beside it, {} left out\n", r.labels.placed, r.labels.leaders,
+                      r.labels.omitted);
+  if (r.folds_cut > 0) text += fmt::format("{} folds became seams so that the parts fit\n", r.folds_cut);
+  if (r.pages_without_ruler > 0) text += fmt::format("{} pages have no room for the ruler\n", r.pages_without_ruler);
+  return text;
+}
+
+}  // namespace plico::jobs

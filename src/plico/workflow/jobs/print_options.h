@@ -1,0 +1,30 @@
+// How pages are laid out and drawn: the options that every command with pages shares, and what they report.
+#pragma once
+#include <limits>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "job.h"
+#include "plico/fabricate/fabricate.h"
+#include "plico/io/page/drawing.h"
+
+namespace plico::jobs {
+
+struct PrintArgs {
+  std::string page = "A4", up = "y", tabs = "auto", style = "paper", title;
+  double scale = std::numeric_limits<double>::quiet_NaN();
+  double tab_width = 5, tab_angle = radians(45), gap = 3, margin = 10, flat = radians(0.5), label_size = 7;
+  SizeOptions size;
+  std::vector<std::string> marks;
+  bool landscape = false, split = false, no_labels = false, show_flat_creases = false;
+};
+
+void add_print_options(Job& job, PrintArgs& args);
+LayoutOptions layout_options(const PrintArgs& args);  // throws InvalidOption
+DrawOptions draw_options(const PrintArgs& args, const std::string& default_title);
+
+nlohmann::json json_of(const LayoutReport& report);
+std::string layout_text(const LayoutReport& report);  // some lines for people
+
+}  // namespace plico::jobs

@@ -1,0 +1,59 @@
+#include "plico/workflow/jobs/read_mesh.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "plico/base/error.h"
+#include "plico/io/mesh/mesh_file.h"
+#include "plico/mesh/flat_regions.h"
+#include "plico/mesh/repair.h"
+
+namespace plico::jobs {
+Job& add_repair_option(Job& job, std::string& repair) {
+  return job.choice("--repair",
+                    "safe joins corners that coincide, cuts polygons that are not flat, drops faces without area, "
+                    "turns faces to agree; full also changes the shape where it must",
+                    repair, {"safe", "full", "none"});
+}
+
+Mesh read_mesh(const std::string& path, const std::string& repair, Session& session) {
+  MeshSource source = read_mesh_source(session.read(path), path);
+  const CheckOptions strict{.planarity = kFlatPolygon, .self_intersections = false};
+  if (repair == "none") return to_mesh(std::move(source), strict);
+  const RepairOptions how{.level = repair == "full" ? RepairLevel::Full : RepairLevel::Safe, .planarity = kFlatPolygon};
+  Repaired repaired = plico::repair(source.soup, how);
+  for (const std::string& sentence : repaired.done) session.say("repaired: " + sentence);
+  session.report()["repairs"] = repaired.done;
+  const CheckReport report = check_mesh(repaired.soup, strict);
+  if (report.usable()) return Mesh(std::move(repaired.soup));
+  // In the file as it is the error has a place; after a repair its numbers are no longer those of the file.
+  if (repaired.done.empty()) return to_mesh(std::move(source), strict);
+  const Problem& error = report.problems.front();
+  throw InvalidInput(error.code, error.message + ", after what was repaired", error.where,
+                     repair == "safe" ? "add --repair full, which may change the shape" : "plico check " + path);
+}
+
+MeshFormat output_format(const std::string& path) {
+  if (path == "-") return MeshFormat::Obj;
+  if (const auto format = mesh_format_of(path)) return *format;
+  throw InvalidOption(fmt::format("{} does not end in .obj, .off, .stl or .ply", path));
+}
+
+Mesh with_flat_regions_whole(Mesh mesh, Session& session) {
+  FlatRegions regions = flat_regions(mesh);
+  const CheckOptions strict{.planarity = kFlatPolygon, .self_intersections = false};
+  if (regions.num_merged == 0 || !check_mesh(regions.soup, strict).usable()) return mesh;
+  session.say(fmt::format("flat regions: {} faces are taken as {}", mesh.num_faces(), regions.soup.num_faces()));
+  session.report()["flat_regions"] = {{"faces_before", mesh.num_faces()}, {"faces", regions.soup.num_faces()}};
+  return Mesh(std::move(regions.soup));
+}
+
+Mesh read_mesh_of_net(const std::string& path, const std::string& repair, int panels, Session& session) {
+  Mesh mesh = read_mesh(path, repair, session);
+  if (mesh.num_faces() == panels) return mesh;
+  Mesh whole = with_flat_regions_whole(mesh, session);
+  return whole.num_faces() == panels ? whole : mesh;
+}
+
+}  // namespace plico::jobs

@@ -1,0 +1,29 @@
+// How commands that unfold read meshes: as files are, with what has one harmless remedy done and told.
+#pragma once
+#include <string>
+
+#include "job.h"
+#include "plico/io/mesh/mesh_file.h"
+#include "plico/mesh/mesh.h"
+#include "plico/workflow/jobs/session.h"
+
+namespace plico::jobs {
+
+// Adds --repair safe|full|none.
+Job& add_repair_option(Job& job, std::string& repair);
+
+// Says every repair on standard error and in the report ("repairs"). Throws InvalidInput for what remains wrong, with
+// its place in the file when nothing was repaired before.
+Mesh read_mesh(const std::string& path, const std::string& repair, Session& session);
+
+// The format of a mesh that is written to this path, OBJ for standard output. Throws InvalidOption.
+MeshFormat output_format(const std::string& path);
+
+// Neighbouring faces that lie in one plane as one (mesh/flat_regions.h), said and in the report ("flat_regions"); the
+// mesh as it is where there are none, or where that would make no surface.
+Mesh with_flat_regions_whole(Mesh mesh, Session& session);
+
+// The mesh that a net of so many panels is held against: as the file is, or as craft takes it, with flat regions whole.
+Mesh read_mesh_of_net(const std::string& path, const std::string& repair, int panels, Session& session);
+
+}  // namespace plico::jobs

@@ -1,0 +1,22 @@
+// How commands read what is flat: nets, crease patterns and motions, of every kind we know.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "job.h"
+#include "plico/io/pattern/fold.h"
+#include "plico/io/pattern/imported_pattern.h"
+#include "plico/workflow/jobs/session.h"
+
+namespace plico::jobs {
+
+// Says on standard error, and in the report, what reading changed or assumed.
+FoldFile read_sheet(const std::string& path, Session& session, const DrawingOptions& drawing = {});
+
+// --merge and --flatten.
+void add_drawing_options(Job& job, DrawingOptions& drawing);
+
+// Where a command that writes FOLD files writes: session.outputs("-"), refused when a name asks for another kind.
+std::vector<std::string> fold_outputs(const Session& session);
+
+}  // namespace plico::jobs

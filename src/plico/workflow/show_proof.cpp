@@ -1,0 +1,28 @@
+#include "plico/workflow/show_proof.h"
+
+namespace plico {
+namespace {
+
+ProofStatus status_of(const PathProof& proof) {
+  if (proof.interrupted) return ProofStatus::Unchecked;
+  switch (proof.verdict) {
+    case PathVerdict::Free:
+      return ProofStatus::Proven;
+    case PathVerdict::Collides:
+      return ProofStatus::Collides;
+    case PathVerdict::NotClosed:
+    case PathVerdict::Undecided:
+      break;
+  }
+  return ProofStatus::Undecided;
+}
+
+}  // namespace
+
+void show_proof(ViewerInput& page, const PathProof& proof) {
+  page.proof = status_of(proof);
+  if (proof.verdict == PathVerdict::Collides)
+    page.collisions.push_back({proof.from, proof.to, proof.panel_a, proof.panel_b});
+}
+
+}  // namespace plico
