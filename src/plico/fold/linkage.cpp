@@ -174,10 +174,32 @@ double share_of_way(const Linkage& linkage, const Configuration& config) {
   return whole > 0 ? 1 - std::sqrt(rest / whole) : 1;
 }
 
+Configuration lower_limits(const Linkage& linkage) {
+  Configuration limits(linkage.num_hinges());
+  for (int h = 0; h < linkage.num_hinges(); ++h) limits[h] = linkage.hinges[h].low;
+  return limits;
+}
+
+Configuration upper_limits(const Linkage& linkage) {
+  Configuration limits(linkage.num_hinges());
+  for (int h = 0; h < linkage.num_hinges(); ++h) limits[h] = linkage.hinges[h].high;
+  return limits;
+}
+
 int hinge_beyond_limits(const Linkage& linkage, const Configuration& config, double slack) {
+  PLICO_ASSERT(config.size() == linkage.num_hinges());
   for (int h = 0; h < linkage.num_hinges(); ++h)
     if (config[h] < linkage.hinges[h].low - slack || config[h] > linkage.hinges[h].high + slack) return h;
   return -1;
+}
+
+void require_within_limits(const Linkage& linkage, const Configuration& config, std::string_view what, double slack) {
+  const int h = hinge_beyond_limits(linkage, config, slack);
+  if (h < 0) return;
+  const Hinge& hinge = linkage.hinges[h];
+  throw InvalidInput("fold/limits", fmt::format("{} folds panels {} and {} by {:.4g} degrees, the limit is {:.4g}",
+                                                what, hinge.left, hinge.right, degrees(std::abs(config[h])),
+                                                degrees(std::abs(config[h] > hinge.high ? hinge.high : hinge.low))));
 }
 
 Pose turn(const Hinge& hinge, double fold_angle, bool right_moves) {

@@ -1,6 +1,7 @@
 // Rigid panels joined at hinges: what every net, crease pattern and strip becomes before it moves. Kinematics,
 // collision, proof, planners, viewer and exporters are written once, for linkages, and cannot tell which they hold.
 #pragma once
+#include <string_view>
 #include <vector>
 
 #include "plico/base/vec.h"
@@ -71,8 +72,18 @@ Configuration goal(const Linkage& linkage);
 // state, both over the hinges that are to fold (target not 0); 1 when there are none. At most 1; below 0 beyond flat.
 double share_of_way(const Linkage& linkage, const Configuration& config);
 
+// The limits of all hinges, radians.
+Configuration lower_limits(const Linkage& linkage);
+Configuration upper_limits(const Linkage& linkage);
+
+inline constexpr double kLimitRounding = 1e-6;  // radians, that an angle written to a file may lie beyond its limit
+
 // A hinge whose angle in `config` lies beyond its limits by more than `slack` radians, -1 for none.
 int hinge_beyond_limits(const Linkage& linkage, const Configuration& config, double slack = 1e-9);
+
+// Throws InvalidInput "fold/limits" when there is one. `what` is the subject of the sentence: "the goal".
+void require_within_limits(const Linkage& linkage, const Configuration& config, std::string_view what,
+                           double slack = 1e-9);
 
 // The rigid motion that carries each panel from the flat state to `config`, roots at rest (eq. 2.3, read as R3). Loops
 // are not closed here: a foldable configuration agrees on them by itself. O(panels).

@@ -13,20 +13,13 @@ namespace {
 constexpr double kSignTolerance = 1e-7;  // radians: noise of a crease that is flat at the moment
 constexpr double kGoalTolerance = 1e-9;  // radians: residual of a goal that closes
 
-void check(const ContinuationOptions& o, int num_creases) {
+void check(const ContinuationOptions& o) {
   require(o.frames >= 1, "frames", o.frames, "at least 1");
   require(o.first_step > 0 && o.first_step <= 1, "first step", o.first_step, "in (0, 1]");
   require(o.min_progress > 0, "min progress", o.min_progress, "above 0");
   require(o.max_move > 0, "max move", o.max_move, "above 0");
   require(o.goal_slack >= 0, "goal slack", o.goal_slack, "at least 0");
-  require(o.max_fold_angle > 0 && o.max_fold_angle <= kPi, "max fold angle", o.max_fold_angle, "in (0, pi]");
-  if (!o.max_fold_angles.empty() && static_cast<int>(o.max_fold_angles.size()) != num_creases)
-    throw InvalidOption(
-        fmt::format("max fold angles = {} must be one for each of {} creases", o.max_fold_angles.size(), num_creases));
-  for (const Configuration& limits : {o.projection.low, o.projection.high})
-    if (limits.size() != 0 && limits.size() != num_creases)
-      throw InvalidOption(fmt::format("limits = {} must be one for each of {} creases", limits.size(), num_creases));
-  for (double angle : o.max_fold_angles) require(angle > 0 && angle <= kPi, "max fold angle", angle, "in (0, pi]");
+  require(o.tolerance > 0, "tolerance", o.tolerance, "above 0");
 }
 
 // Near flat a crease of a flat-foldable vertex turns in proportion to the tangent of half its goal.
@@ -112,7 +105,6 @@ class Continuation {
         run_(run),
         groups_(linkage, options.groups),
         projector_(groups_.loops(sheet, options.essential), groups_.size()),
-        projection_(options.projection),
         goal_(groups_.goals(linkage)),
         checker_(linkage, options.collision),
         vertices_of_(groups_.size()) {
@@ -142,14 +134,11 @@ class Continuation {
 
  private:
   void set_limits(const CreasePattern& sheet, const Linkage& linkage) {
-    projection_.low = Configuration::Constant(groups_.size(), -options_.max_fold_angle);
+    projection_.tolerance = options_.tolerance;
+    projection_.low = Configuration::Constant(groups_.size(), -kPi);
     projection_.high = -projection_.low;
-    for (int h = 0; h < linkage.num_hinges(); ++h) {
-      const double most = options_.max_fold_angles.empty() ? kPi : options_.max_fold_angles[h];
-      groups_.limit(h, std::max(-most, linkage.hinges[h].low), std::min(most, linkage.hinges[h].high), projection_);
-      const ProjectOptions& given = options_.projection;
-      groups_.limit(h, given.low.size() ? given.low[h] : -kPi, given.high.size() ? given.high[h] : kPi, projection_);
-    }
+    for (int h = 0; h < linkage.num_hinges(); ++h)
+      groups_.limit(h, linkage.hinges[h].low, linkage.hinges[h].high, projection_);
     if (!options_.hold_flat_facets) return;
     const std::vector<int> hinge = hinge_of_edge(sheet);
     for (int e = 0; e < sheet.num_edges(); ++e) {
@@ -339,7 +328,7 @@ std::string describe(const ContinuationResult& r) {
 
 ContinuationResult continue_to_goal(const CreasePattern& sheet, const ContinuationOptions& options, const Run& run) {
   const Linkage linkage = make_linkage(sheet);
-  check(options, linkage.num_hinges());
+  check(options);
   return Continuation(sheet, linkage, options, run).plan();
 }
 

@@ -18,11 +18,6 @@ struct ContinuationOptions {
   double max_move = 0.5;       // radians a fold angle may turn in one frame; above 0
   double goal_slack = 1e-2;    // radians a fold angle of the goal may turn to make the goal close; at least 0
 
-  // Largest fold angles that the material bears, radians in (0, pi]: of all creases, and of each (one per hinge, or
-  // empty). Goals beyond are clamped, the clamped goal is projected within the limits, and every waypoint keeps them.
-  double max_fold_angle = kPi;
-  std::vector<double> max_fold_angles = {};
-
   // The group of each hinge, 0 ... k - 1, or empty for every crease by itself: creases of one group, whose goals must
   // be of one size, turn by one angle, each to its side.
   std::vector<int> groups = {};
@@ -32,7 +27,7 @@ struct ContinuationOptions {
   bool hold_flat_facets = false;  // creases of assignment F or J whose goal is 0 stay at 0
   bool unfold_too = true;         // when the way from flat fails, try the way back from the goal
   bool check_collisions = true;
-  ProjectOptions projection = {};  // its limits (of each hinge) narrow those above
+  double tolerance = 1e-13;  // radians: residual of a waypoint that closes; above 0
   CollisionOptions collision = {};
 };
 
@@ -69,7 +64,8 @@ std::string describe(const ContinuationResult& result);
 // halves a step that does not close, moves too far, turns a crease against its goal or collides. Flat is left with
 // steps of several sizes and in two directions (the goal, and the tangents of its half angles) until every crease turns
 // to its side. Waypoints close and are free of collision; the motion between them is to be proven (verify/path.h).
-// Deterministic. A path that ends early holds what was reached.
+// Goals beyond the limits of a hinge are clamped, the clamped goal is projected within them, and every waypoint keeps
+// them. Deterministic. A path that ends early holds what was reached.
 ContinuationResult continue_to_goal(const CreasePattern& sheet, const ContinuationOptions& options = {},
                                     const Run& run = {});
 

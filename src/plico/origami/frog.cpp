@@ -17,6 +17,9 @@ void check(const FrogOptions& o) {
   if (!(o.penalty >= 0)) throw InvalidOption(fmt::format("penalty = {} must be at least 0", o.penalty));
   if (o.max_samples < 1) throw InvalidOption(fmt::format("max samples = {} must be at least 1", o.max_samples));
   if (o.patience < 1) throw InvalidOption(fmt::format("patience = {} must be at least 1", o.patience));
+  if (!(o.tolerance > 0)) throw InvalidOption(fmt::format("tolerance = {} must be above 0", o.tolerance));
+  if (o.nlopt.low.size() + o.nlopt.high.size() > 0)
+    throw InvalidOption("nlopt limits = a table must be empty: the limits are those of the sheet");
 }
 
 // Time by length, so that every part of the path goes at the same speed.
@@ -43,10 +46,9 @@ class Frog::Search {
         checker_(linkage_, options.collision),
         target_(goal(linkage_)) {
     check(options);
-    if (options_.projection.low.size() == 0) options_.projection.low = target_.unaryExpr(&lowest);
-    if (options_.projection.high.size() == 0) options_.projection.high = -(-target_).unaryExpr(&lowest);
-    if (options_.nlopt.low.size() == 0) options_.nlopt.low = options_.projection.low;
-    if (options_.nlopt.high.size() == 0) options_.nlopt.high = options_.projection.high;
+    projection_.tolerance = options.tolerance;
+    projection_.low = options_.nlopt.low = target_.unaryExpr(&lowest).cwiseMax(lower_limits(linkage_));
+    projection_.high = options_.nlopt.high = (-(-target_).unaryExpr(&lowest)).cwiseMin(upper_limits(linkage_));
   }
 
   FrogResult plan(const Configuration& start, const Configuration& goal, const Run& run) {
@@ -85,16 +87,16 @@ class Frog::Search {
     ++result.counts.tested;
     const double open = closure(projector_.vertices(), config).worst;
     result.worst_residual = std::max(result.worst_residual, open);
-    return open <= std::max(1e-9, options_.projection.tolerance) && !collides(config);
+    return open <= std::max(1e-9, options_.tolerance) && hinge_beyond_limits(linkage_, config) < 0 && !collides(config);
   }
 
   bool collides(const Configuration& config) { return options_.check_collisions && checker_.collides(config); }
 
   Projection find_foldable(const Configuration& near) {
-    if (options_.find == FindFoldable::GaussNewton) return projector_.project(near, options_.projection);
+    if (options_.find == FindFoldable::GaussNewton) return projector_.project(near, projection_);
     const Projection found = project_by_nlopt(projector_.vertices(), near, options_.nlopt);
     if (!found.closed) return found;
-    Projection tight = projector_.project(found.config, options_.projection);
+    Projection tight = projector_.project(found.config, projection_);
     tight.steps += found.steps;
     return tight;
   }
@@ -110,8 +112,7 @@ class Frog::Search {
   bool extend(const Configuration& goal, double weight, Rng& rng, FrogResult& result) {
     const Configuration& closest = result.path.waypoints.back().config;
     Configuration random(closest.size());
-    for (int h = 0; h < random.size(); ++h)
-      random[h] = rng.uniform(options_.projection.low[h], options_.projection.high[h]);
+    for (int h = 0; h < random.size(); ++h) random[h] = rng.uniform(projection_.low[h], projection_.high[h]);
     const Configuration direction = (1 - weight) * (random - closest) + weight * (goal - closest);
     ++result.counts.sampled;
     const Projection found = find_foldable(closest + options_.step * direction.normalized());
@@ -127,6 +128,7 @@ class Frog::Search {
   }
 
   FrogOptions options_;
+  ProjectOptions projection_;
   Linkage linkage_;
   Projector projector_;
   CollisionChecker checker_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -51,12 +52,12 @@ class Roadmap {
         layers_(linkage_, checker_.clearance()),
         frog_(sheet, options.frog) {
     add(flat(linkage_));
-    Configuration target = goal(linkage_);
-    for (int h = 0; h < linkage_.num_hinges(); ++h)
-      target[h] = std::clamp(target[h], linkage_.hinges[h].low, linkage_.hinges[h].high);
+    projection_.tolerance = options.frog.tolerance;
+    projection_.low = lower_limits(linkage_);
+    projection_.high = upper_limits(linkage_);
     stops_.push_back(0);
-    for (const Configuration& state : options.intermediate) stops_.push_back(add(state));
-    stops_.push_back(add(target));
+    for (const Configuration& state : options.intermediate) add_stop(state, "a state to pass");
+    add_stop(goal(linkage_), "the goal");
     for (int stop : stops_) must_close(states_[stop]);
     DiscreteStates discrete = discrete_states(sheet, options.discrete, options.max_states, run);
     result_.tested += discrete.tested;
@@ -100,6 +101,11 @@ class Roadmap {
       if ((states_[i] - state).cwiseAbs().maxCoeff() < 1e-9) return i;
     states_.push_back(state);
     return num_states() - 1;
+  }
+
+  void add_stop(const Configuration& state, const char* what) {
+    require_within_limits(linkage_, state, what);
+    stops_.push_back(add(state));
   }
 
   void must_close(const Configuration& state) {
@@ -275,7 +281,7 @@ class Roadmap {
       for (int k = 1; k < steps; ++k) {
         const double share = static_cast<double>(k) / steps;
         const Configuration start = from.config + share * move;
-        const Projection between = projector_.project(start, options_.frog.projection);
+        const Projection between = projector_.project(start, projection_);
         result_.tested += between.steps + 1;
         if (!between.closed || (between.config - start).norm() > kResolution) return false;
         if (options_.frog.check_collisions && checker_.collides(between.config)) return false;
@@ -292,7 +298,7 @@ class Roadmap {
   std::optional<FoldingPath> linear(const Configuration& from, const Configuration& to) {
     const int n = options_.linear_samples;
     double worst = 0;
-    for (int stride = n; stride >= 1; stride /= 2) {
+    for (int stride = static_cast<int>(std::bit_floor(static_cast<unsigned>(n))); stride >= 1; stride /= 2) {
       for (int i = stride; i <= n; i += 2 * stride) {
         const double share = static_cast<double>(i) / (n + 1);
         const Configuration between = (1 - share) * from + share * to;
@@ -338,7 +344,8 @@ class Roadmap {
     constexpr int kSamples = 20;
     for (int i = 1; i < kSamples; ++i) {
       const Configuration p = a.at(i / double{kSamples}), q = b.at(i / double{kSamples});
-      const Projection mid = projector_.project((p + q) / 2, {.tolerance = 1e-9});
+      const Projection mid =
+          projector_.project((p + q) / 2, {.tolerance = 1e-9, .low = projection_.low, .high = projection_.high});
       const bool between = (mid.config - (p + q) / 2).norm() <= (p - q).norm() / 2 + 1e-9;
       if (!mid.closed || !between || checker_.collides(mid.config)) return false;
     }
@@ -374,6 +381,7 @@ class Roadmap {
   Linkage linkage_;
   std::vector<RealVertex> vertices_;
   Projector projector_;
+  ProjectOptions projection_;
   CollisionChecker checker_;
   Layers layers_;
   Frog frog_;

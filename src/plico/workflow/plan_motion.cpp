@@ -135,6 +135,7 @@ NoiseVerdict fold_with_noise(const Linkage& linkage, const FoldingPath& path, do
   require(noise >= 0, "angle noise", noise, "at least 0");
   require(samples >= 1, "samples", samples, "at least 1");
   constexpr int kSteps = 100;
+  const Configuration low = lower_limits(linkage), high = upper_limits(linkage);
   const Rng rng(seed);
   std::vector<double> stop(samples, -1);
   parallel_for(run, samples, [&](int i) {
@@ -147,7 +148,7 @@ NoiseVerdict fold_with_noise(const Linkage& linkage, const FoldingPath& path, do
     for (int k = 1; k <= kSteps && folded; ++k) {
       if (run.over()) return;
       const double t = static_cast<double>(k) / kSteps;
-      const Configuration config = (path.at(t) + t * off).cwiseMax(-kPi).cwiseMin(kPi);
+      const Configuration config = (path.at(t) + t * off).cwiseMax(low).cwiseMin(high);
       folded = !checker.collides(config);
       first = t;
     }

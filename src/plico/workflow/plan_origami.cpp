@@ -74,8 +74,6 @@ class OrigamiPlanning {
  public:
   OrigamiPlanning(CreasePattern sheet, const MotionOptions& options, const Run& run)
       : sheet_(std::move(sheet)), options_(options), run_(run), linkage_(make_linkage(sheet_)) {
-    limits_.resize(linkage_.num_hinges());
-    for (int h = 0; h < linkage_.num_hinges(); ++h) limits_[h] = linkage_.hinges[h].high;
     clearance_ = options.clearance > 0 ? options.clearance : default_clearance(linkage_);
   }
 
@@ -101,6 +99,7 @@ class OrigamiPlanning {
   MotionOutcome carry(const CreasePattern& small, const FoldingPath& path) {
     const FoldingPath carried = reuse_path(small, path, sheet_);
     const double rest = (carried.waypoints.back().config - goal(linkage_)).lpNorm<Eigen::Infinity>();
+    goal_within_limits();
     outcome_.ending = rest <= kMostGoalMove ? Ending::Found : Ending::Exhausted;
     if (rest > kMostGoalMove)
       outcome_.notes.push_back(fmt::format("the motion given ends {:.3g} degrees short of the goal", degrees(rest)));
@@ -120,10 +119,6 @@ class OrigamiPlanning {
     ContinuationOptions continuation;
     continuation.frames = options_.waypoints;
     continuation.collision.clearance = options_.clearance;
-    if (within) {
-      continuation.projection.low = -limits_;
-      continuation.projection.high = limits_;
-    }
     // A goal beyond the limits is still where the way leads, to be left where the material ends.
     if (!within)
       for (Crease& crease : sheet_.edges) crease.limit = kPi;
@@ -190,6 +185,7 @@ class OrigamiPlanning {
   }
 
   void walk_randomly() {
+    if (!goal_within_limits()) return stay_flat();
     if (goal_collides()) return;
     FrogOptions frog;
     frog.seed = options_.seed;
@@ -204,6 +200,11 @@ class OrigamiPlanning {
     if (found.path.waypoints.size() > 1) prove(found.path, MotionMethod::Frog);
   }
 
+  void stay_flat() {
+    outcome_.ending = Ending::Exhausted;
+    outcome_.progress = 0;
+  }
+
   // Through discrete states; a path that the proof refutes costs one connection. True when there is a proven motion.
   bool search_states() {
     if (closure(real_vertices(sheet_), goal(linkage_)).worst > 1e-9) {
@@ -213,7 +214,7 @@ class OrigamiPlanning {
     }
     const bool goes_straight_first = options_.method == MotionMethod::Auto && options_.through.empty();
     if (!goes_straight_first && !goal_within_limits()) {
-      outcome_.ending = Ending::Exhausted;
+      stay_flat();
       return false;
     }
     if (options_.method == MotionMethod::MdFrog && goal_collides()) return false;
@@ -285,26 +286,32 @@ class OrigamiPlanning {
 
   bool goal_within_limits() {
     std::vector<int> beyond;
+    const Configuration target = goal(linkage_);
     for (int h = 0; h < linkage_.num_hinges(); ++h)
-      if (std::abs(linkage_.hinges[h].target) > limits_[h] + kLimitSlack) beyond.push_back(h);
+      if (target[h] < linkage_.hinges[h].low - kLimitSlack || target[h] > linkage_.hinges[h].high + kLimitSlack)
+        beyond.push_back(h);
     if (beyond.empty()) return true;
     std::string creases;
     for (std::size_t i = 0; i < beyond.size() && i < kMostLimitedNamed; ++i)
       creases += (i ? ", " : "") + crease_of(sheet_, beyond[i]);
-    const int first = beyond.front();
+    const Hinge& first = linkage_.hinges[beyond.front()];
     outcome_.notes.push_back(fmt::format(
         "limited: the goal folds {} crease{} beyond the material, the first to {:.4g} degrees, {:.4g} allowed: {}{}",
-        beyond.size(), beyond.size() == 1 ? "" : "s", degrees(std::abs(linkage_.hinges[first].target)),
-        degrees(limits_[first]), creases, beyond.size() > kMostLimitedNamed ? ", ..." : ""));
+        beyond.size(), beyond.size() == 1 ? "" : "s", degrees(std::abs(first.target)),
+        degrees(std::abs(first.target > 0 ? first.high : first.low)), creases,
+        beyond.size() > kMostLimitedNamed ? ", ..." : ""));
     return false;
   }
 
-  // Ends the path before its first waypoint beyond the limits.
+  // Ends the path before its first waypoint beyond the limits, and tells which crease ends it.
   void keep_limits(FoldingPath& path) {
     const auto beyond = std::find_if(path.waypoints.begin(), path.waypoints.end(), [&](const Waypoint& w) {
-      return ((w.config.cwiseAbs() - limits_).array() > kLimitSlack).any();
+      return hinge_beyond_limits(linkage_, w.config, kLimitSlack) >= 0;
     });
     if (beyond == path.waypoints.end()) return;
+    outcome_.notes.push_back(
+        fmt::format("limited: at {} of the way {} would turn beyond the material", percent(beyond->time),
+                    crease_of(sheet_, hinge_beyond_limits(linkage_, beyond->config, kLimitSlack))));
     path.waypoints.erase(beyond, path.waypoints.end());
     outcome_.ending = Ending::Exhausted;
     outcome_.progress = path.waypoints.empty() ? 0 : path.waypoints.back().time;
@@ -328,7 +335,6 @@ class OrigamiPlanning {
 
   CreasePattern sheet_;
   const MotionOptions& options_;
-  Configuration limits_;  // of each hinge
   const Run& run_;
   Linkage linkage_;
   std::optional<CreaseGroups> groups_;
@@ -337,13 +343,14 @@ class OrigamiPlanning {
 };
 
 // Waypoints strictly between two, or none when the sheet does not close near the straight line.
-std::vector<Waypoint> between(Projector& projector, const Waypoint& a, const Waypoint& b, int pieces) {
+std::vector<Waypoint> between(Projector& projector, const ProjectOptions& within, const Waypoint& a, const Waypoint& b,
+                              int pieces) {
   std::vector<Waypoint> inserted;
   const double most = 0.5 * (b.config - a.config).cwiseAbs().maxCoeff();
   for (int i = 1; i < pieces; ++i) {
     const double share = static_cast<double>(i) / pieces;
     const Configuration straight = (1 - share) * a.config + share * b.config;
-    Projection projection = projector.project(straight);
+    Projection projection = projector.project(straight, within);
     if (!projection.closed || (projection.config - straight).cwiseAbs().maxCoeff() > most) return {};
     inserted.push_back({(1 - share) * a.time + share * b.time, std::move(projection.config)});
   }
@@ -356,6 +363,7 @@ FoldingPath refine_path(const CreasePattern& sheet, const FoldingPath& path, dou
   if (!(gap > 0)) throw InvalidOption(fmt::format("gap = {} must be above 0", gap));
   const Linkage linkage = make_linkage(sheet);
   Projector projector(sheet);
+  const ProjectOptions within{.low = lower_limits(linkage), .high = upper_limits(linkage)};
   FoldingPath refined = path;
   for (int i = 0; i < kRefinements; ++i) {
     const SheetMotion motion(linkage, refined);
@@ -367,7 +375,7 @@ FoldingPath refine_path(const CreasePattern& sheet, const FoldingPath& path, dou
       if (w + 1 == old.size() || motion.gap_after(static_cast<int>(w)) <= gap || run.over()) continue;
       const int pieces = std::min(
           kMostPieces, static_cast<int>(std::ceil(std::sqrt(1.05 * motion.gap_after(static_cast<int>(w)) / gap))));
-      for (Waypoint& inserted : between(projector, old[w], old[w + 1], pieces))
+      for (Waypoint& inserted : between(projector, within, old[w], old[w + 1], pieces))
         next.waypoints.push_back(std::move(inserted));
     }
     if (next.waypoints.size() == old.size()) break;

@@ -29,7 +29,8 @@ MotionOutcome reuse_motion(const CreasePattern& small, const FoldingPath& path, 
 inline constexpr double kMostGoalMove = radians(0.5);
 
 // The path with waypoints inserted, each closed, until hinges open between two by at most `gap` units, if they can be
-// found near the straight line between their neighbours. Times of the given waypoints stay. O(waypoints * creases).
+// found near the straight line between their neighbours and within the limits of the hinges. Times of the given
+// waypoints stay. O(waypoints * creases).
 FoldingPath refine_path(const CreasePattern& sheet, const FoldingPath& path, double gap, const Run& run = {});
 
 }  // namespace plico

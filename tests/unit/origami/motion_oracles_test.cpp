@@ -156,6 +156,15 @@ TEST(Continuation, StopsBeforeTheTubeCloses) {
   EXPECT_NE(describe(found).find("collides in frame"), std::string::npos);
 }
 
+// The same sheet, each crease within the limit that `limit_of` has for it.
+template <class Limit>
+CreasePattern with_limits(CreasePattern sheet, Limit limit_of) {
+  const std::vector<int> hinge = hinge_of_edge(sheet);
+  for (int e = 0; e < sheet.num_edges(); ++e)
+    if (hinge[e] >= 0) sheet.edges[e].limit = limit_of(hinge[e]);
+  return sheet;
+}
+
 TEST(Continuation, KeepsTheLimitsOfTheMaterial) {
   const CreasePattern sheet = miura({.columns = 6, .rows = 6});
   const auto largest = [](const ContinuationResult& found) {
@@ -163,23 +172,15 @@ TEST(Continuation, KeepsTheLimitsOfTheMaterial) {
     for (const Waypoint& w : found.path.waypoints) angle = std::max(angle, w.config.cwiseAbs().maxCoeff());
     return angle;
   };
-  const ContinuationResult all = continue_to_goal(sheet, {.max_fold_angle = radians(90)});
+  const ContinuationResult all = continue_to_goal(with_limits(sheet, [](int) { return radians(90); }));
   ASSERT_EQ(all.ending, Ending::Found) << describe(all);
   EXPECT_LE(largest(all), radians(90));
   EXPECT_GT(largest(all), radians(30));
 
-  std::vector<double> table(make_linkage(sheet).num_hinges(), radians(90));
-  table[3] = radians(40);
-  const ContinuationResult one = continue_to_goal(sheet, {.max_fold_angles = table});
+  const ContinuationResult one =
+      continue_to_goal(with_limits(sheet, [](int h) { return h == 3 ? radians(40) : radians(90); }));
   ASSERT_EQ(one.ending, Ending::Found) << describe(one);
   for (const Waypoint& w : one.path.waypoints) EXPECT_LE(std::abs(w.config[3]), radians(40));
-  EXPECT_THROW(continue_to_goal(sheet, {.max_fold_angles = {1, 2}}), InvalidOption);
-
-  ContinuationOptions options;
-  options.projection.high = Configuration::Constant(table.size(), radians(50));
-  const ContinuationResult valleys = continue_to_goal(sheet, options);
-  ASSERT_EQ(valleys.ending, Ending::Found) << describe(valleys);
-  for (const Waypoint& w : valleys.path.waypoints) EXPECT_LE(w.config.maxCoeff(), radians(50));
 }
 
 TEST(Continuation, FoldsSheetsWithoutLoopsAndSheetsWithoutCreases) {

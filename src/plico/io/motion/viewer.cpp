@@ -130,6 +130,7 @@ std::string viewer_page(const ViewerInput& input) {
   add_panels(data, input.linkage);
   add_tree(data, input.linkage);
   add_motion(data, input);
+  require_within_limits(input.linkage, input.path ? *input.path : linear_path(input.linkage));
   add_proof(data, input);
   add_report(data, input);
   std::string page(kTemplate);

@@ -124,6 +124,7 @@ std::string page(const LoadedMotion& motion, Session& session) {
 
 std::string bytes_for(const std::string& path, const LoadedMotion& motion, const ExportArgs& args, Session& session) {
   const std::string kind = extension(path);
+  if (kind == "csv" || path.ends_with(".angles.svg")) require_within_limits(motion.linkage, motion.path);
   if (path.ends_with(".angles.svg")) return write_angle_plot(motion.path, {.title = motion.title});
   if (kind == "glb") return write_glb(motion.linkage, motion.path, {.seconds = args.seconds});
   if (kind == "urdf") return robot_file(write_urdf(motion.linkage, motion.path, robot_options(motion, args)), session);

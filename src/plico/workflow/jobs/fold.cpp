@@ -32,7 +32,9 @@ void narrow_limits(CreasePattern& sheet, double most) {
   if (std::isnan(most)) return;
   if (!(most >= 0 && most <= kPi))
     throw InvalidOption(fmt::format("max-fold-angle = {:.6g} degrees must be in [0, 180]", degrees(most)));
-  for (Crease& crease : sheet.edges) crease.limit = std::min(crease.limit, most);
+  for (Crease& crease : sheet.edges)
+    if (crease.assignment != Assignment::Boundary && crease.assignment != Assignment::Cut)
+      crease.limit = std::min(crease.limit, most);
 }
 
 // The goal of another file of the same pattern.
