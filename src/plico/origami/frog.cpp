@@ -10,14 +10,13 @@ namespace plico {
 namespace {
 
 void check(const FrogOptions& o) {
-  if (!(o.step > 0)) throw InvalidOption(fmt::format("step = {} must be above 0", o.step));
-  if (!(o.initial_weight >= 0 && o.initial_weight <= 1))
-    throw InvalidOption(fmt::format("initial weight = {} must be in [0, 1]", o.initial_weight));
-  if (!(o.reward >= 0)) throw InvalidOption(fmt::format("reward = {} must be at least 0", o.reward));
-  if (!(o.penalty >= 0)) throw InvalidOption(fmt::format("penalty = {} must be at least 0", o.penalty));
-  if (o.max_samples < 1) throw InvalidOption(fmt::format("max samples = {} must be at least 1", o.max_samples));
-  if (o.patience < 1) throw InvalidOption(fmt::format("patience = {} must be at least 1", o.patience));
-  if (!(o.tolerance > 0)) throw InvalidOption(fmt::format("tolerance = {} must be above 0", o.tolerance));
+  require(o.step > 0, "step", o.step, "above 0");
+  require(o.initial_weight >= 0 && o.initial_weight <= 1, "initial weight", o.initial_weight, "in [0, 1]");
+  require(o.reward >= 0, "reward", o.reward, "at least 0");
+  require(o.penalty >= 0, "penalty", o.penalty, "at least 0");
+  require(o.max_samples >= 1, "max samples", o.max_samples, "at least 1");
+  require(o.patience >= 1, "patience", o.patience, "at least 1");
+  require(o.tolerance > 0, "tolerance", o.tolerance, "above 0");
   if (o.nlopt.low.size() + o.nlopt.high.size() > 0)
     throw InvalidOption("nlopt limits = a table must be empty: the limits are those of the sheet");
 }
@@ -39,13 +38,14 @@ double lowest(double target) { return target > 0 ? 0 : -kPi; }
 
 class Frog::Search {
  public:
-  Search(const CreasePattern& sheet, const FrogOptions& options)
+  Search(const Linkage& linkage, const FrogOptions& options)
       : options_(options),
-        linkage_(make_linkage(sheet)),
-        projector_(sheet),
+        linkage_(linkage),
+        projector_(linkage),
         checker_(linkage_, options.collision),
         target_(goal(linkage_)) {
     check(options);
+    require_closable(linkage);
     projection_.tolerance = options.tolerance;
     projection_.low = options_.nlopt.low = target_.unaryExpr(&lowest).cwiseMax(lower_limits(linkage_));
     projection_.high = options_.nlopt.high = (-(-target_).unaryExpr(&lowest)).cwiseMin(upper_limits(linkage_));
@@ -135,8 +135,7 @@ class Frog::Search {
   Configuration target_;
 };
 
-Frog::Frog(const CreasePattern& sheet, const FrogOptions& options)
-    : search_(std::make_unique<Search>(sheet, options)) {}
+Frog::Frog(const Linkage& linkage, const FrogOptions& options) : search_(std::make_unique<Search>(linkage, options)) {}
 Frog::~Frog() = default;
 Frog::Frog(Frog&&) noexcept = default;
 Frog& Frog::operator=(Frog&&) noexcept = default;
@@ -147,9 +146,8 @@ FrogResult Frog::plan(const Configuration& start, const Configuration& goal, con
 
 void Frog::set_patience(long samples) { search_->set_patience(samples); }
 
-FrogResult frog(const CreasePattern& sheet, const FrogOptions& options, const Run& run) {
-  const Linkage linkage = make_linkage(sheet);
-  return Frog(sheet, options).plan(flat(linkage), goal(linkage), run);
+FrogResult frog(const Linkage& linkage, const FrogOptions& options, const Run& run) {
+  return Frog(linkage, options).plan(flat(linkage), goal(linkage), run);
 }
 
 }  // namespace plico

@@ -49,8 +49,8 @@ struct FrogResult {
 // and within the limits of its hinge.
 class Frog {
  public:
-  // Throws InvalidOption.
-  explicit Frog(const CreasePattern& sheet, const FrogOptions& options = {});
+  // Throws InvalidOption, and InvalidInput as require_closable() does.
+  explicit Frog(const Linkage& linkage, const FrogOptions& options = {});
   ~Frog();
   Frog(Frog&&) noexcept;
   Frog& operator=(Frog&&) noexcept;
@@ -67,7 +67,10 @@ class Frog {
   std::unique_ptr<Search> search_;
 };
 
-// From flat to the targets of the sheet.
-FrogResult frog(const CreasePattern& sheet, const FrogOptions& options = {}, const Run& run = {});
+// From flat to the targets of the hinges.
+FrogResult frog(const Linkage& linkage, const FrogOptions& options = {}, const Run& run = {});
+inline FrogResult frog(const CreasePattern& sheet, const FrogOptions& options = {}, const Run& run = {}) {
+  return frog(make_linkage(sheet), options, run);
+}
 
 }  // namespace plico

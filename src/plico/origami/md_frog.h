@@ -52,6 +52,9 @@ struct MdFrogResult {
 // A further path must pass through other states and must not blend into an earlier one through foldable configurations
 // without collision (evidence, not proof, of another homotopy class). Deterministic for a seed. Throws InvalidInput
 // when the goal or an intermediate state does not close or lies beyond a limit ("fold/limits").
-MdFrogResult md_frog(const CreasePattern& sheet, const MdFrogOptions& options = {}, const Run& run = {});
+MdFrogResult md_frog(const Linkage& linkage, const MdFrogOptions& options = {}, const Run& run = {});
+inline MdFrogResult md_frog(const CreasePattern& sheet, const MdFrogOptions& options = {}, const Run& run = {}) {
+  return md_frog(make_linkage(sheet), options, run);
+}
 
 }  // namespace plico

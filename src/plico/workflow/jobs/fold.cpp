@@ -48,12 +48,12 @@ Configuration state_of(const std::string& path, const Linkage& linkage, Session&
   return goal(other);
 }
 
-MotionOutcome reuse(const FoldFile& file, const MotionOptions& options, const std::string& path, Session& session) {
+MotionOutcome reuse(const Linkage& linkage, const MotionOptions& options, const std::string& path, Session& session) {
   const FoldFile small = read_sheet(path, session);
   if (!small.path)
     throw InvalidInput("fold/no-motion", path + " has no motion", path,
                        "plico fold " + path + " --grouped -o motion.fold");
-  return reuse_motion(small.net.sheet, *small.path, file.net.sheet, options, session.run());
+  return reuse_motion(make_linkage(small.net.sheet), *small.path, linkage, options, session.run());
 }
 
 MotionOutcome plan(const FoldFile& file, const Linkage& linkage, const FoldArgs& args, Session& session) {
@@ -67,12 +67,12 @@ MotionOutcome plan(const FoldFile& file, const Linkage& linkage, const FoldArgs&
                         facet_policy(args.facets)};
   if (linkage.has_loops()) {
     for (const std::string& state : args.through) options.through.push_back(state_of(state, linkage, session));
-    if (!args.reuse.empty()) return reuse(file, options, args.reuse, session);
+    if (!args.reuse.empty()) return reuse(linkage, options, args.reuse, session);
     return plan_origami(file.net.sheet, options, session.run());
   }
   if (args.grouped || !args.reuse.empty() || !args.through.empty())
     throw InvalidOption("--grouped, --reuse and --through are for crease patterns with loops; this sheet has none");
-  return plan_motion(linkage, options, session.run());
+  return plico::plan(linkage, options, session.run());
 }
 
 // "motion.fold", "motion-2.fold", ...: alternatives stand beside the first.
