@@ -25,7 +25,7 @@ void row(Table& table, const std::string& name, const Mesh& mesh, const Run& run
   NetAndMotion unfolded;
   CraftResult crafted;
   const double unfolding = seconds([&] { unfolded = fold_or_plan(mesh, {}, run); });
-  const double crafting = seconds([&] { crafted = craft(mesh, {}, run); });
+  const double crafting = seconds([&] { crafted = craft(mesh, {.wish = HandWish::None}, run); });
   const bool same_motion = kind(unfolded.motion) == kind(crafted.motion);
   const bool same_net = lay_flat(mesh, unfolded.net.tree).mate == crafted.net.mate;
   table.row({name, mesh.num_faces(), kind(unfolded.motion), unfolding, kind(crafted.motion), crafting,

@@ -14,7 +14,7 @@
 #include "plico/base/error.h"
 #include "plico/io/mesh/mesh_file.h"
 #include "plico/mesh/measures.h"
-#include "plico/segment/necks.h"
+#include "plico/segment/coarse.h"
 #include "plico/shapes/creature.h"
 #include "plico/shapes/named_shapes.h"
 #include "plico/workflow/segment_mesh.h"
@@ -213,8 +213,7 @@ void growth(Table& table, bool quick) {
     for (Animal animal : {Animal::Dog, Animal::Dinosaur}) {
       const Mesh mesh{creature({.animal = animal, .faces = faces})};
       std::vector<int> part;
-      const double seconds =
-          processor_seconds([&] { part = cut_at_necks(DualGraph(mesh), std::vector<int>(mesh.num_faces(), 0)); });
+      const double seconds = processor_seconds([&] { part = cut_limbs_of(mesh, DualGraph(mesh)); });
       rusage usage{};
       getrusage(RUSAGE_SELF, &usage);
       table.row({std::string(name(animal)), faces, 1 + *std::max_element(part.begin(), part.end()), seconds,

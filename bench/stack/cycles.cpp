@@ -1,11 +1,12 @@
-// Hamiltonian cycles of voxel shells: the sizes of the dissertation's table 6.1 beside its seconds, and growth.
+// Hamiltonian cycles of voxel shells: the sizes of the dissertation's table 6.1 beside its seconds, and growth; then
+// stacks (stacks.cpp).
 //   bench_stack [--meshes DIR] [--json FILE] [--quick]
 #include <algorithm>
 
 #include "plico/io/mesh/mesh_file.h"
 #include "plico/shapes/named_shapes.h"
 #include "plico/workflow/voxel_mesh.h"
-#include "table.h"
+#include "tables.h"
 
 namespace plico::bench {
 namespace {
@@ -68,11 +69,12 @@ Table meshes(const std::string& folder) {
 int main(int argc, char** argv) {
   using namespace plico::bench;
   const Arguments args = arguments(argc, argv);
-  const Table sizes = sizes_of_table_6_1(), grown = growth(args.quick);
-  if (args.meshes.empty()) {
-    write_json(args, {&sizes, &grown});
-  } else {
-    const Table of_meshes = meshes(args.meshes);
-    write_json(args, {&sizes, &grown, &of_meshes});
-  }
+  std::vector<Table> tables;
+  tables.push_back(sizes_of_table_6_1());
+  tables.push_back(growth(args.quick));
+  if (!args.meshes.empty()) tables.push_back(meshes(args.meshes));
+  for (Table& table : stack_tables(args.meshes, args.quick)) tables.push_back(std::move(table));
+  std::vector<const Table*> all;
+  for (const Table& table : tables) all.push_back(&table);
+  write_json(args, all);
 }

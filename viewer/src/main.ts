@@ -111,6 +111,18 @@ function anchor({ label, href }: PageData['links'][number]): HTMLAnchorElement {
   return link;
 }
 
+function fillPictures(): void {
+  const part = byId<HTMLElement>('pictures');
+  part.hidden = data.pictures.length === 0;
+  for (const { caption, png } of data.pictures) {
+    const figure = part.appendChild(document.createElement('figure'));
+    const image = figure.appendChild(document.createElement('img'));
+    image.src = `data:image/png;base64,${png}`;
+    image.alt = caption;
+    figure.appendChild(document.createElement('figcaption')).textContent = caption;
+  }
+}
+
 function fillReport(): void {
   const table = byId<HTMLTableElement>('report');
   for (const [name, value] of rows(data.report ?? {})) {
@@ -197,6 +209,7 @@ function listen(): void {
 
 fillHeader();
 fillReport();
+fillPictures();
 listen();
 player.set(data.start);
 window.plico = {

@@ -18,6 +18,17 @@ export interface PageData {
   collisions: { begin: number; end: number; panels: [number, number] }[];
   report: Record<string, unknown> | null;
   links: { label: string; href: string }[];
+  pictures: { caption: string; png: string }[]; // base64
+  folded: number; // the moment from which folded pieces are put together; 1 when they are not
+  home: Home[]; // of each panel; empty when pieces stay where they fold
+}
+
+// How a folded piece comes to where it belongs: it turns about its centre while that moves.
+export interface Home {
+  axis: [number, number, number];
+  angle: number;
+  centre: [number, number, number];
+  shift: [number, number, number];
 }
 
 export interface Hinge {
@@ -26,6 +37,7 @@ export interface Hinge {
   from: [number, number, number];
   to: [number, number, number];
   target: number;
+  roll?: number; // of a thick hinge: half the thickness; beyond 90 degrees it turns about the line of contact
 }
 
 export type Kind = 'mountain' | 'valley' | 'flat';
@@ -74,6 +86,20 @@ function rotationAbout(from: readonly number[], to: readonly number[], angle: nu
   return m;
 }
 
+// The motion of one panel of a hinge, seen from the other: as turn() in src/plico/fold/linkage.cpp.
+function turnOf(hinge: Hinge, foldAngle: number, rightMoves: boolean): Pose {
+  const { from, to } = hinge;
+  const roll = hinge.roll ?? 0;
+  const angle = rightMoves ? -foldAngle : foldAngle;
+  const quarter = (Math.sign(angle) * Math.PI) / 2;
+  if (roll === 0 || Math.abs(angle) <= Math.PI / 2) return rotationAbout(from, to, angle);
+  const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
+  const side = ((rightMoves ? 1 : -1) * roll) / length;
+  const shift = [-(to[1] - from[1]) * side, (to[0] - from[0]) * side, Math.sign(foldAngle) * roll];
+  const contact = (p: readonly number[]): number[] => p.map((x, i) => x + shift[i]!);
+  return compose(rotationAbout(contact(from), contact(to), angle - quarter), rotationAbout(from, to, quarter));
+}
+
 export function angleAt(keys: { times: number[]; angles: number[] }, time: number): number {
   const { times, angles } = keys;
   if (time <= times[0]!) return angles[0]!;
@@ -87,6 +113,13 @@ export function angleAt(keys: { times: number[]; angles: number[] }, time: numbe
   }
   const s = (time - times[low]!) / (times[high]! - times[low]!);
   return (1 - s) * angles[low]! + s * angles[high]!;
+}
+
+function onTheWay(home: Home, share: number): Pose {
+  const { axis, angle, centre, shift } = home;
+  const m = rotationAbout(centre, centre.map((c, i) => c + axis[i]!), share * angle);
+  for (let i = 0; i < 3; i++) m[9 + i]! += share * shift[i]!;
+  return m;
 }
 
 export class Model {
@@ -111,10 +144,12 @@ export class Model {
       }
       const hinge = hinges[h]!;
       const angle = angleAt(keys[h]!, time);
-      const turn = rotationAbout(hinge.from, hinge.to, p === hinge.right ? -angle : angle);
+      const turn = turnOf(hinge, angle, p === hinge.right);
       poses[p] = compose(poses[parentPanel[p]!]!, turn);
     }
-    return poses;
+    const { home, folded } = this.data;
+    const share = (time - folded) / (1 - folded);
+    return home.length > 0 && share > 0 ? poses.map((pose, p) => compose(onTheWay(home[p]!, share), pose)) : poses;
   }
 
   // Corners of all panels at a time, panel by panel: x, y, z, ...

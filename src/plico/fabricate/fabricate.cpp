@@ -37,6 +37,18 @@ Vec2 room_without_tabs(const LayoutOptions& options) {
   return printable(options.page) - Vec2::Constant(2 * tab);
 }
 
+// Many parts, like the pieces of a set, share pages: about kPartsAPage lie on one, not each alone on its own.
+constexpr int kPartsAPage = 8;
+constexpr double kShareCovered = 0.5;  // of a page, by the hulls of parts with their tabs
+
+double scale_that_shares_pages(const Unfolding& net, const LayoutOptions& options) {
+  double hulls = 0;
+  for (auto& points : part_points(net)) hulls += signed_area(convex_hull(std::move(points)));
+  const int pages = (net.num_parts() + kPartsAPage - 1) / kPartsAPage;
+  if (net.num_parts() <= kPartsAPage || hulls <= 0) return std::numeric_limits<double>::infinity();
+  return std::sqrt(kShareCovered * pages * printable(options.page).prod() / hulls);
+}
+
 // The largest scale at which every part of the net fits a page, rounded down so that the longest side of the model is a
 // whole number of millimetres.
 double scale_that_fills_page(const Unfolding& net, const FoldedShape& shape, const LayoutOptions& options) {
@@ -44,6 +56,7 @@ double scale_that_fills_page(const Unfolding& net, const FoldedShape& shape, con
   for (auto& points : part_points(net))
     scale = std::min(scale, 0.999 * largest_scale(convex_hull(std::move(points)), room_without_tabs(options)));
   if (!std::isfinite(scale) || scale <= 0) return 1;
+  scale = std::min(scale, scale_that_shares_pages(net, options));
   const double longest = scale * shape.size.maxCoeff();
   return longest > 2 ? scale * std::floor(longest) / longest : scale;
 }
@@ -260,13 +273,17 @@ void check(const LayoutOptions& options) {
 
 }  // namespace
 
+double wanted_scale(const Unfolding& net, const FoldedShape& shape, const LayoutOptions& options) {
+  return options.size.fill_page && !options.size.is_given() ? scale_that_fills_page(net, shape, options)
+                                                            : scale_of(shape, options.size);
+}
+
 LayoutResult lay_out_pages(const Unfolding& model_net, const FoldedShape& shape, const LayoutOptions& options,
                            const Run& run) {
   check(options);
   LayoutResult result;
   LayoutReport& report = result.report;
-  report.scale = options.size.fill_page && !options.size.is_given() ? scale_that_fills_page(model_net, shape, options)
-                                                                    : scale_of(shape, options.size);
+  report.scale = wanted_scale(model_net, shape, options);
   report.final_size = report.scale * shape.size;
 
   Unfolding net = in_millimetres(model_net, report.scale);
@@ -297,12 +314,14 @@ LayoutResult lay_out_pages(const Unfolding& model_net, const FoldedShape& shape,
   layout.parts = Assembler(sides, outlines, report.tabs, placed, shape, titles, options).parts();
   add_marks(layout, sides, outlines, options.marks);
   run.report("writing labels", 0);
+  report.joints_unnamed = write_joints(layout, options.joints, net.part, placed.placements, Font());
   report.labels =
       add_labels(layout, seam_names(sides, outlines, report.tabs, titles, options.seams), Font(), options.labels);
+  draw_joints(layout, options.joints, net.part, placed.placements);
   report.pages = static_cast<int>(layout.pages.size());
   report.parts = static_cast<int>(layout.parts.size());
   report.fill_ratio = placed.fill_ratio;
-  report.pages_without_ruler = count_pages_without_ruler(layout);
+  report.pages_without_ruler = options.place.key == KeyWish::None ? 0 : count_pages_without_ruler(layout);
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "plico/base/run.h"
+#include "plico/fabricate/joints.h"
 #include "plico/fabricate/labels.h"
 #include "plico/fabricate/marks.h"
 #include "plico/fabricate/page.h"
@@ -25,10 +26,11 @@ struct LayoutOptions {
   TabOptions tabs;
   LabelOptions labels;
   MarkOptions marks;
-  bool split = false;             // cut parts that are too large for a page
-  double flat = radians(0.5);     // folds up to this angle count as flat, radians
-  std::vector<PartTitle> titles;  // of each part of the net; empty: "A", "B", ...
-  std::vector<int> seams;         // number of each sheet edge glued to another part; empty, or 0 of all: numbered here
+  bool split = false;              // cut parts that are too large for a page
+  double flat = radians(0.5);      // folds up to this angle count as flat, radians
+  std::vector<PartTitle> titles;   // of each part of the net; empty: "A", "B", ...
+  std::vector<int> seams;          // number of each sheet edge glued to another part; empty, or 0 of all: numbered here
+  std::vector<JointFacet> joints;  // facets that are glued to facets of other parts
 };
 
 struct LayoutReport {
@@ -39,6 +41,7 @@ struct LayoutReport {
   double fill_ratio = 0;  // parts and tabs over printable area
   Tabs tabs;              // tabs made, shrunk, moved, omitted
   LabelReport labels;
+  int joints_unnamed = 0;  // facets to glue that are too small for their text
   int pages_without_ruler = 0;
 };
 
@@ -46,6 +49,9 @@ struct LayoutResult {
   PageLayout layout;
   LayoutReport report;
 };
+
+// The scale at which lay_out_pages() prints: millimetres per unit.
+double wanted_scale(const Unfolding& net, const FoldedShape& shape, const LayoutOptions& options = {});
 
 // Lays out `net` (in the model's unit). Throws InvalidInput when a part fits no page, saying the largest size that
 // would fit, unless it may be split; InvalidOption when an option is out of range.

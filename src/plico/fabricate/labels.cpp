@@ -55,6 +55,10 @@ class Labeller {
       for (auto& piece : convex_pieces(panel.corners)) paper_.add(std::move(piece), part.page);
     for (const Tab& tab : part.tabs)
       paper_.add({tab.corners[1], tab.corners[0], tab.corners[3], tab.corners[2]}, part.page);
+    for (const Label& label : part.labels) {
+      const Box b = box_around(label.center, label.angle, room_for(label.text, label.size));
+      written_.add({b.begin(), b.end()}, part.page);
+    }
     for (const Mark& mark : part.marks) {
       Eigen::AlignedBox2d box;
       for (const Vec2& p : mark.points) box.extend(p);
@@ -179,8 +183,8 @@ class Labeller {
   }
 
   bool on_page(const Box& box, int page) const {
-    const Vec2 margin = Vec2::Constant(layout_.margin);
-    const Eigen::AlignedBox2d inside(margin, layout_.pages[page].size - margin);
+    const Margins& margin = layout_.margin;
+    const Eigen::AlignedBox2d inside(margin.low(), layout_.pages[page].size - margin.high());
     return std::ranges::all_of(box, [&](const Vec2& p) { return inside.contains(p); });
   }
 

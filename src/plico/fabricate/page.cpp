@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <optional>
 
 #include "plico/base/error.h"
 #include "plico/base/units.h"
@@ -17,9 +18,22 @@ struct Paper {
   std::string_view name;
   double width, height;  // millimetres
 };
-constexpr Paper kPapers[] = {{"a5", 148, 210},         {"a4", 210, 297},         {"a3", 297, 420},
-                             {"a2", 420, 594},         {"letter", 215.9, 279.4}, {"legal", 215.9, 355.6},
-                             {"tabloid", 279.4, 431.8}};
+constexpr Paper kPapers[] = {{"letter", 215.9, 279.4},    {"legal", 215.9, 355.6},     {"tabloid", 279.4, 431.8},
+                             {"ledger", 279.4, 431.8},    {"executive", 184.2, 266.7}, {"arch-a", 228.6, 304.8},
+                             {"arch-b", 304.8, 457.2},    {"arch-c", 457.2, 609.6},    {"arch-d", 609.6, 914.4},
+                             {"mat-12x12", 304.8, 304.8}, {"mat-12x24", 304.8, 609.6}};
+
+// The sheets of ISO 216, "a4" or "b3": each is half of the one before, rounded down.
+std::optional<Vec2> iso_sheet(std::string_view name) {
+  if (name.size() != 2 || (name[0] != 'a' && name[0] != 'b') || name[1] < '0' || name[1] > '8') return std::nullopt;
+  int width = name[0] == 'a' ? 841 : 1000, height = name[0] == 'a' ? 1189 : 1414;
+  for (char n = '0'; n < name[1]; ++n) {
+    const int half = height / 2;
+    height = width;
+    width = half;
+  }
+  return Vec2(width, height);
+}
 
 std::string lower(std::string_view text) {
   std::string result(text);
@@ -42,19 +56,35 @@ void check(const PageOptions& options) {
     throw InvalidOption(
         fmt::format("page = {:g}x{:g} mm must be in [30, 5000] mm", options.size.x(), options.size.y()));
   const double most = options.size.minCoeff() / 2 - 10;
-  if (!(options.margin >= 0 && options.margin <= most))
-    throw InvalidOption(fmt::format("margin = {:g} mm must be in [0, {:g}] mm on this page", options.margin, most));
+  const Margins& m = options.margin;
+  for (double margin : {m.left, m.bottom, m.right, m.top})
+    if (!(margin >= 0 && margin <= most))
+      throw InvalidOption(fmt::format("margin = {:g} mm must be in [0, {:g}] mm on this page", margin, most));
 }
 
-Vec2 printable(const PageOptions& page) { return page.size - Vec2::Constant(2 * page.margin); }
+Vec2 printable(const PageOptions& page) { return page.size - page.margin.low() - page.margin.high(); }
+
+Margins parse_margins(std::string_view text) {
+  std::vector<double> given;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', from), text.size());
+    given.push_back(parse_length_mm(text.substr(from, comma - from)));
+    from = comma + 1;
+  }
+  if (given.size() == 1) return given[0];
+  if (given.size() == 2) return {given[1], given[0], given[1], given[0]};
+  if (given.size() == 4) return {given[3], given[2], given[1], given[0]};
+  throw InvalidOption(fmt::format("margin '{}' must be one length, two, or four: top,right,bottom,left", text));
+}
 
 Vec2 paper_size(std::string_view name) {
   const std::string wanted = lower(name);
+  if (const auto iso = iso_sheet(wanted)) return *iso;
   for (const Paper& paper : kPapers)
     if (paper.name == wanted) return {paper.width, paper.height};
   const std::size_t times = wanted.find('x');
   if (times == std::string::npos || times == 0 || times + 1 == wanted.size())
-    throw InvalidOption(fmt::format("'{}' is not a paper size", name), "try A4, A3, Letter or 300x400mm");
+    throw InvalidOption(fmt::format("'{}' is not a paper size", name), "try A4, B3, Letter or 300x400mm");
   return custom_size(wanted.substr(0, times), wanted.substr(times + 1));
 }
 

@@ -5,21 +5,26 @@
 #include <string_view>
 #include <vector>
 
+#include "plico/fold/page_layout.h"
 #include "plico/fold/unfolding.h"
 
 namespace plico {
 
 struct PageOptions {
   Vec2 size{210, 297};  // millimetres
-  double margin = 10;   // left free on every side, millimetres, at least 0
+  Margins margin = 10;  // left free, millimetres, at least 0
 };
 void check(const PageOptions& options);  // throws InvalidOption naming field, value and range
 
 Vec2 printable(const PageOptions& page);  // the size inside the margins
 
-// "A4", "A3", "Letter", ... or "WIDTHxHEIGHT" with units as parse_length_mm takes them ("300x400", "12x18in");
+// "A4", "B3", "Letter", ... or "WIDTHxHEIGHT" with units as parse_length_mm takes them ("300x400", "12x18in");
 // millimetres. Throws InvalidOption otherwise.
 Vec2 paper_size(std::string_view name);
+
+// "8mm" all around, "8,12" above and below, then left and right, or "8,12,20,12": top, right, bottom, left, as style
+// sheets have them. Throws InvalidOption.
+Margins parse_margins(std::string_view text);
 
 // What the finished model is like: how large, and how far each sheet edge is folded when its seam is glued.
 struct FoldedShape {

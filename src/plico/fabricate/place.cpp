@@ -53,23 +53,31 @@ struct Spot {
   Vec2 size;
 };
 
+// The forms that a wish allows, the fullest first.
+std::vector<KeyForm> forms(KeyWish wish) {
+  if (wish == KeyWish::None) return {};
+  if (wish == KeyWish::Ruler) return {KeyForm::RulerOnly};
+  return {KeyForm::Row, KeyForm::Stack, KeyForm::RulerOnly};
+}
+
 // A page being filled.
 class PageFiller {
  public:
-  PageFiller(const PageOptions& page, double gap)
+  PageFiller(const PageOptions& page, const PlaceOptions& options)
       : page_(page),
+        wanted_(options.key),
         room_(printable(page)),
-        gap_(gap),
+        gap_(options.gap),
         taken_(static_cast<int>(std::ceil(room_.x() / kCell)), static_cast<int>(std::ceil(room_.y() / kCell))) {}
 
   // Keeps the lower edge free for the key.
   void reserve_key(KeyForm form, double ruler) {
     const Vec2 size = key_size(form, ruler);
-    for (int y = 0; y < static_cast<int>(std::ceil((size.y() + kKeyGap - gap_) / kCell)); ++y)
-      taken_.set_row(y, 0, taken_.width() - 1);
+    const double height = form == KeyForm::None ? 0 : size.y() + kKeyGap - gap_;
+    for (int y = 0; y < static_cast<int>(std::ceil(height / kCell)); ++y) taken_.set_row(y, 0, taken_.width() - 1);
     key_ = form;
     key_at_ = Vec2((room_.x() - size.x()) / 2, 0);
-    reserved_ = size.y() + kKeyGap;
+    reserved_ = form == KeyForm::None ? 0 : size.y() + kKeyGap;
   }
 
   // The lowest, then leftmost free place.
@@ -115,7 +123,7 @@ class PageFiller {
     Page page;
     page.size = page_.size;
     page.ruler = ruler;
-    const Vec2 margin = Vec2::Constant(page_.margin);
+    const Vec2 margin = page_.margin.low();
     Vec2 shift = margin;
     if (alone_) {
       find_key(page);
@@ -132,7 +140,7 @@ class PageFiller {
  private:
   // Somewhere on a page that one part fills: the fullest form for which there is room.
   void find_key(Page& page) const {
-    for (KeyForm form : {KeyForm::Row, KeyForm::Stack, KeyForm::RulerOnly}) {
+    for (KeyForm form : forms(wanted_)) {
       for (bool upright : {true, false}) {
         Vec2 size = key_size(form, page.ruler);
         if (!upright) std::swap(size.x(), size.y());
@@ -143,7 +151,7 @@ class PageFiller {
         if (!spot) continue;
         page.key_form = form;
         page.key_upright = upright;
-        page.key_at = Vec2(spot->x, spot->y) * kCell + Vec2::Constant(page_.margin);
+        page.key_at = Vec2(spot->x, spot->y) * kCell + page_.margin.low();
         return;
       }
     }
@@ -155,6 +163,7 @@ class PageFiller {
     Vec2 at;
   };
   const PageOptions& page_;
+  KeyWish wanted_;
   Vec2 room_;
   double gap_;
   Cells taken_;
@@ -194,10 +203,10 @@ std::vector<double> rotations(const PlaceItem& item, std::size_t num_items, cons
   return angles;
 }
 
-KeyForm key_that_fits(const Vec2& room, double& ruler) {
+KeyForm key_that_fits(const Vec2& room, KeyWish wish, double& ruler) {
   for (double length : {100.0, 50.0, 20.0}) {
     ruler = length;
-    for (KeyForm form : {KeyForm::Row, KeyForm::Stack, KeyForm::RulerOnly})
+    for (KeyForm form : forms(wish))
       if (key_size(form, length).x() <= room.x()) return form;
   }
   return KeyForm::None;
@@ -206,7 +215,11 @@ KeyForm key_that_fits(const Vec2& room, double& ruler) {
 class Placer {
  public:
   Placer(const std::vector<PlaceItem>& items, const PageOptions& page, const PlaceOptions& options)
-      : items_(items), page_(page), options_(options), room_(printable(page)), form_(key_that_fits(room_, ruler_)) {}
+      : items_(items),
+        page_(page),
+        options_(options),
+        room_(printable(page)),
+        form_(key_that_fits(room_, options.key, ruler_)) {}
 
   Placed run(const Run& run) {
     std::vector<int> order(items_.size());
@@ -248,7 +261,7 @@ class Placer {
   }
 
   PageFiller new_page() const {
-    PageFiller page(page_, options_.gap);
+    PageFiller page(page_, options_);
     page.reserve_key(form_, ruler_);
     return page;
   }

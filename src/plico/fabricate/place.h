@@ -9,8 +9,12 @@
 
 namespace plico {
 
+// Which block is kept free for: legend with ruler, the ruler alone, or none.
+enum class KeyWish { All, Ruler, None };
+
 struct PlaceOptions {
   double gap = 3;  // between parts, millimetres, at least 0
+  KeyWish key = KeyWish::All;
 };
 
 struct PlaceItem {

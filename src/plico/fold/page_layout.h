@@ -58,6 +58,17 @@ struct PlacedPart {
   std::vector<Mark> marks;
 };
 
+// Kept free along the edges of a page, millimetres.
+struct Margins {
+  double left = 10, bottom = 10, right = 10, top = 10;
+
+  Margins() = default;
+  Margins(double all) : left(all), bottom(all), right(all), top(all) {}  // NOLINT: a number is a margin all around
+  Margins(double l, double b, double r, double t) : left(l), bottom(b), right(r), top(t) {}
+  Vec2 low() const { return {left, bottom}; }
+  Vec2 high() const { return {right, top}; }
+};
+
 // How the block with the legend and the ruler is arranged.
 enum class KeyForm { Row, Stack, RulerOnly, None };
 
@@ -74,7 +85,7 @@ struct PageLayout {
   std::vector<PlacedPart> parts;
   double scale = 1;                 // millimetres per unit of the net
   Vec3 folded_size = Vec3::Zero();  // of the finished model, millimetres
-  double margin = 0;                // kept free around each page
+  Margins margin = 0;               // kept free around each page
   bool has_taped_seams = false;     // some seams have no tab; their ids end in a degree sign
 };
 

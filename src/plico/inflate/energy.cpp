@@ -16,6 +16,8 @@ namespace {
 constexpr double kMargin = 0.02;
 // Excess below this is about to go, above it is likely a feature that stays; radians.
 constexpr double kSoft = 0.1;
+// Half a room beyond the room, the wall pushes 5 times as much as air and flattening at 5 % of volume.
+constexpr double kWall = 200;
 
 // Of a corner inside its triangle, and how it changes with the two other corners.
 struct CornerAngle {
@@ -116,12 +118,15 @@ double SkinEnergy::volume(const Eigen::VectorXd& x) const {
 double SkinEnergy::air(const Eigen::VectorXd& x, double pressure, Eigen::VectorXd& gradient) const {
   const double now = volume(x);
   if (!(now > 0)) return std::numeric_limits<double>::infinity();
-  const double push = pressure * volume_ / now / 6;
+  const double change = now / volume_ - 1;
+  const double beyond = std::max(0.0, std::abs(change) - room_);
+  const double wall = pressure * kWall * std::max(1.0, options_.flattening);
+  const double push = (pressure * volume_ / now - std::copysign(2 * wall * beyond, change)) / 6;
   for (int f = 0; f < static_cast<int>(triangles_.size()) / 3; ++f)
     for (int i = 0; i < 3; ++i)
       gradient.segment<3>(3 * triangles_[3 * f + i]) -=
           push * corner(x, f, (i + 1) % 3).cross(corner(x, f, (i + 2) % 3));
-  return -pressure * volume_ * plico::log(now / volume_);
+  return volume_ * (wall * beyond * beyond - pressure * plico::log(now / volume_));
 }
 
 double SkinEnergy::excess(const Eigen::VectorXd& x, double weight, Eigen::VectorXd& gradient) const {

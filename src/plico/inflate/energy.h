@@ -1,6 +1,7 @@
 // The energy of a skin of springs around a sealed amount of air. Source: [Xi17] 4.4.1, eqs. 4.1-4.9, read as R8.
 #pragma once
 #include <Eigen/Core>
+#include <limits>
 #include <vector>
 
 #include "plico/mesh/mesh.h"
@@ -23,6 +24,8 @@ void check(const SkinOptions& options);  // throws InvalidOption
 // Sum of (L - L0)^2 E / 2 over stretched edges, |x - P|^2 E_v / 2 over vertices, and pressure times
 //   - V0 log(V / V0): a sealed amount of air, whose pressure falls as 1 / V, so that every pressure has its minimum
 //     (with eq. 4.1's constant pressure the energy -p V falls faster than springs rise, and the skin bursts);
+//   - 200 V0 (how far |V / V0 - 1| exceeds the room of hold_volume())^2 max(1, flattening): neither air nor flattening
+//     alone keeps a volume, air lets it grow and flattening thin limbs shrink;
 //   - flattening times the sum of w (angle sum - 2 pi)^2 over hyperbolic vertices, where w is smaller the larger the
 //     excess was at the last classify(): those that are nearly flat go first.
 class SkinEnergy {
@@ -32,6 +35,8 @@ class SkinEnergy {
 
   // Which edges and anchors are stiff, by the shape as it is now (eqs. 4.6 and 4.8).
   void classify(const Mesh& now);
+  // From here on the volume changes freely by this share of it, and is pushed back the more beyond. O(1).
+  void hold_volume(double room) { room_ = room; }
   void fix(VertexId v) { fixed_[v] = 1; }
   bool is_fixed(VertexId v) const { return fixed_[v] != 0; }
 
@@ -53,7 +58,7 @@ class SkinEnergy {
   Vec3 corner(const Eigen::VectorXd& x, int face, int i) const { return x.segment<3>(3 * triangles_[3 * face + i]); }
 
   SkinOptions options_;
-  double unit_ = 1, volume_ = 0;
+  double unit_ = 1, volume_ = 0, room_ = std::numeric_limits<double>::infinity();
   Vec3 center_;
   Eigen::VectorXd origin_;
   std::vector<Vec3> points_;           // as they were given, to the last bit

@@ -1,6 +1,7 @@
 #include "plico/inflate/explicit.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "plico/inflate/obstacles.h"
@@ -47,7 +48,8 @@ Inflation integrate(const Mesh& mesh, const InflateOptions& options, const Run& 
   for (; result.steps < options.max_steps; ++result.steps) {
     if (result.steps % kLookEvery == 0) {
       now = moved(mesh, energy.points(x));
-      if (energy.volume(x) > (1 + options.max_growth) * energy.start_volume()) result.limit = InflateLimit::Growth;
+      if (std::abs(energy.volume(x) / energy.start_volume() - 1) > options.max_growth)
+        result.limit = InflateLimit::Growth;
       if (!obstacles.faces_in_the_way(now.soup().points).empty()) result.limit = InflateLimit::Blocked;
       if (run.over()) result.limit = InflateLimit::Time;
       if (result.limit != InflateLimit::Steps) break;

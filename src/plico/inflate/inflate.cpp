@@ -21,6 +21,7 @@ constexpr double kFirstPressure = 1e-3, kRise = 1.5;
 constexpr int kMaxLevels = 60;   // 1e-3 to 2e7
 constexpr int kMaxHolds = 12;    // rounds of holding vertices back at one level
 constexpr int kBisections = 14;  // of the last level, down to the growth allowed
+constexpr int kPatience = 7;     // levels without a vertex less, 17 times the pressure
 
 void require_inflatable(const Mesh& mesh) {
   if (!is_closed(mesh))
@@ -43,12 +44,14 @@ class Pump {
         run_(run),
         energy_(mesh, options.skin, options.keep),
         obstacles_(mesh),
-        x_(energy_.start()) {}
+        x_(energy_.start()) {
+    energy_.hold_volume(options.max_growth / 2);
+  }
 
   Inflation inflate() {
-    result_.hyperbolic_before = count_hyperbolic(mesh_);
-    result_.hyperbolic = result_.hyperbolic_before;
+    result_.hyperbolic_before = result_.hyperbolic = count_hyperbolic(mesh_);
     result_.points = mesh_.soup().points;
+    result_.flattening = options_.skin.flattening;
     result_.limit = rise();
     if (result_.limit == InflateLimit::Hyperbolic) result_.ending = Ending::Found;
     if (result_.limit == InflateLimit::Time) result_.ending = run_.ending();
@@ -58,21 +61,24 @@ class Pump {
 
  private:
   InflateLimit rise() {
-    if (result_.hyperbolic <= options_.until_hyperbolic) return InflateLimit::Hyperbolic;
+    if (is_enough()) return InflateLimit::Hyperbolic;
     double pressure = kFirstPressure;
     for (int level = 0; level < kMaxLevels; ++level, pressure *= kRise) {
       const bool last = options_.pressure > 0 && pressure >= options_.pressure;
       const double now = last ? options_.pressure : pressure;
       Eigen::VectorXd next = x_;
       if (!settle(now, next)) return run_.over() ? InflateLimit::Time : InflateLimit::Blocked;
-      if (growth(next) > options_.max_growth) return squeeze(now);
+      if (change(next) > options_.max_growth) return squeeze(now);
       accept(now, next);
-      if (result_.hyperbolic <= options_.until_hyperbolic) return InflateLimit::Hyperbolic;
+      if (is_enough()) return InflateLimit::Hyperbolic;
       if (last) return InflateLimit::Pressure;
+      if (++levels_since_best_ > kPatience) return InflateLimit::Settled;
       run_.report("inflation", result_.hyperbolic_before - result_.hyperbolic, result_.hyperbolic_before);
     }
     return InflateLimit::Pressure;
   }
+
+  bool is_enough() const { return result_.hyperbolic <= options_.until_hyperbolic; }
 
   // Minimizes at this pressure from x; where faces meet that must not, their vertices go back and are held.
   bool settle(double pressure, Eigen::VectorXd& x) {
@@ -102,35 +108,42 @@ class Pump {
     return result_.held.size() > before;
   }
 
-  // The last level made the mesh grow too much: bisects the pressure.
+  // The last level changed the volume too much: bisects the pressure.
   InflateLimit squeeze(double too_high) {
-    double low = result_.pressure;
+    double low = pressure_;
     for (int i = 0; i < kBisections; ++i) {
       const double middle = (low + too_high) / 2;
       Eigen::VectorXd next = x_;
       if (!settle(middle, next)) return run_.over() ? InflateLimit::Time : InflateLimit::Blocked;
-      if (growth(next) > options_.max_growth) {
+      if (change(next) > options_.max_growth) {
         too_high = middle;
         continue;
       }
       low = middle;
       accept(middle, next);
-      if (result_.hyperbolic <= options_.until_hyperbolic) return InflateLimit::Hyperbolic;
+      if (is_enough()) return InflateLimit::Hyperbolic;
     }
     return InflateLimit::Growth;
   }
 
+  // Goes on from here, and remembers the best.
   void accept(double pressure, const Eigen::VectorXd& x) {
     x_ = x;
-    result_.pressure = pressure;
+    pressure_ = pressure;
     PolygonSoup soup = mesh_.soup();
-    soup.points = result_.points = energy_.points(x);
-    const Mesh now(std::move(soup));
-    result_.hyperbolic = count_hyperbolic(now);
+    soup.points = energy_.points(x);
+    const Mesh now(soup);
     energy_.classify(now);
+    const int hyperbolic = count_hyperbolic(now);
+    if (std::pair(hyperbolic, change(x)) >= std::pair(result_.hyperbolic, best_change_)) return;
+    if (hyperbolic < result_.hyperbolic) levels_since_best_ = 0;
+    best_change_ = change(x);
+    result_.hyperbolic = hyperbolic;
+    result_.pressure = pressure;
+    result_.points = std::move(soup.points);
   }
 
-  double growth(const Eigen::VectorXd& x) const { return energy_.volume(x) / energy_.start_volume() - 1; }
+  double change(const Eigen::VectorXd& x) const { return std::abs(energy_.volume(x) / energy_.start_volume() - 1); }
 
   const Mesh& mesh_;
   const InflateOptions& options_;
@@ -138,13 +151,39 @@ class Pump {
   SkinEnergy energy_;
   Obstacles obstacles_;
   Eigen::VectorXd x_;
+  double pressure_ = 0, best_change_ = 0;  // of x_; of the volume of the best
+  int levels_since_best_ = 0;
   Inflation result_;
 };
+
+bool is_better(const Inflation& a, const Inflation& b) {
+  const auto cost = [](const Inflation& i) { return std::pair(i.hyperbolic, std::abs(i.volume - i.volume_before)); };
+  return cost(a) < cost(b);
+}
+
+Mesh moved_mesh(const Mesh& mesh, const std::vector<Vec3>& points) {
+  PolygonSoup soup = mesh.soup();
+  soup.points = points;
+  return Mesh(std::move(soup));
+}
+
+Inflation inflate_once(const Mesh& mesh, const InflateOptions& options, const Run& run) {
+  Inflation result =
+      options.method == InflateMethod::Explicit ? integrate(mesh, options, run) : Pump(mesh, options, run).inflate();
+  const Mesh after = moved_mesh(mesh, result.points);
+  result.volume_before = volume(mesh);
+  result.volume = volume(after);
+  result.excess_before = angle_excess(mesh);
+  result.excess = angle_excess(after);
+  for (VertexId v : mesh.vertices()) result.move.push_back((result.points[v] - mesh.point(v)).norm());
+  return result;
+}
 
 }  // namespace
 
 void check(const InflateOptions& options) {
   check(options.skin);
+  for (double times : options.stronger) require(times > 0, "stronger", times, "above 0");
   require(options.max_growth > 0 && options.max_growth <= 100, "max-growth", options.max_growth, "in (0, 100]");
   require(options.until_hyperbolic >= 0, "until-hyperbolic", options.until_hyperbolic, "at least 0");
   require(options.pressure >= 0, "pressure", options.pressure, "at least 0");
@@ -153,8 +192,8 @@ void check(const InflateOptions& options) {
 }
 
 std::string_view name(InflateLimit limit) {
-  constexpr std::array<std::string_view, 7> kNames{"hyperbolic", "growth",  "pressure", "steps",
-                                                   "burst",      "blocked", "time"};
+  constexpr std::array<std::string_view, 8> kNames{"hyperbolic", "growth", "pressure", "settled",
+                                                   "steps",      "burst",  "blocked",  "time"};
   return kNames.at(static_cast<std::size_t>(limit));
 }
 
@@ -170,18 +209,29 @@ int count_hyperbolic(const Mesh& mesh) {
   return count;
 }
 
+double angle_excess(const Mesh& mesh) {
+  double sum = 0;
+  for (VertexId v : mesh.vertices())
+    if (is_hyperbolic(mesh, v)) sum += angle_sum(mesh, v) - 2 * kPi;
+  return sum;
+}
+
 Inflation inflate(const Mesh& mesh, const InflateOptions& options, const Run& run) {
   check(options);
   require_inflatable(mesh);
   for (FaceId f : options.keep) require(f >= 0 && f < mesh.num_faces(), "keep", int(f), "a face of the mesh");
-  Inflation result =
-      options.method == InflateMethod::Explicit ? integrate(mesh, options, run) : Pump(mesh, options, run).inflate();
-  PolygonSoup soup = mesh.soup();
-  soup.points = result.points;
-  result.volume_before = volume(mesh);
-  result.volume = volume(Mesh(std::move(soup)));
-  for (VertexId v : mesh.vertices()) result.move.push_back((result.points[v] - mesh.point(v)).norm());
-  return result;
+  Inflation best = inflate_once(mesh, options, run);
+  if (options.method == InflateMethod::Explicit) return best;
+  for (double times : options.stronger) {
+    if (best.ending != Ending::Exhausted) break;
+    InflateOptions stronger = options;
+    stronger.skin.flattening *= times;
+    Inflation other = inflate_once(mesh, stronger, run);
+    const Ending ending = other.ending;
+    if (is_better(other, best)) best = std::move(other);
+    best.ending = ending;
+  }
+  return best;
 }
 
 }  // namespace plico

@@ -17,6 +17,8 @@ void check(const ApproachOptions& o) {
   require(o.frames >= 1, "frames", o.frames, "at least 1");
   require(o.facet_weight > 0, "facet weight", o.facet_weight, "above 0");
   require(o.min_move > 0, "min move", o.min_move, "above 0");
+  require(o.tolerance > 0, "tolerance", o.tolerance, "above 0");
+  require(o.damping > 0, "damping", o.damping, "above 0");
   require(o.max_waypoints >= 1, "max waypoints", o.max_waypoints, "at least 1");
 }
 
@@ -34,9 +36,11 @@ class Approach {
     projection_.low.resize(creases);
     projection_.high.resize(creases);
     projection_.weight.resize(creases);
+    projection_.tolerance = options.tolerance;
+    projection_.damping = options.damping;
     for (int h = 0; h < creases; ++h) set_crease(h);
     goal_ = goal_.cwiseMax(projection_.low).cwiseMin(projection_.high);
-    goal_closes_ = closure(projector_.vertices(), goal_).worst <= kThere;
+    goal_closes_ = closure(projector_.vertices(), goal_).worst <= std::max(kThere, options.tolerance);
   }
 
   ContinuationResult descend(const FoldingPath& begun) {
@@ -119,7 +123,9 @@ class Approach {
                                      double most) {
     Projection found = projector_.project(guess, projection_);
     result.steps += found.steps;
-    if (!found.closed || (found.config - from).cwiseAbs().maxCoeff() > most) return {};
+    if (found.closure.worst > std::max(kThere, options_.tolerance) ||
+        (found.config - from).cwiseAbs().maxCoeff() > most)
+      return {};
     if (!(distance(found.config) < distance(from))) return {};
     if (options_.check_collisions && checker_.collides(found.config)) {
       result.obstacle = Obstacle::Collision;

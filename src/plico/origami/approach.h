@@ -10,6 +10,8 @@ struct ApproachOptions {
   double min_move = 1e-3;     // radians: a frame in which no crease turns farther is a standstill; above 0
   int max_waypoints = 1000;   // at least 1
   bool keep_sides = true;     // no crease turns against its goal; what would is held flat
+  double tolerance = 1e-13;   // radians, of the worst residual of a waypoint; above 0
+  double damping = 1e-9;      // of the projection: what opens the sheet by less than its root counts as closed; above 0
   bool check_collisions = true;
   CollisionOptions collision = {};
 };

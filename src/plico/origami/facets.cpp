@@ -6,20 +6,24 @@
 #include <utility>
 
 #include "plico/geom/predicates.h"
+#include "plico/origami/closure.h"
 
 namespace plico {
 namespace {
 
 constexpr double kSliver = 0.02;      // height over longest side: thinner facets are taken only when there is no other
 constexpr double kNoTriangle = 1e-6;  // the same: such a facet has no plane
+constexpr double kLocked = 10;        // times the longest side: a cut that leaves a vertex locked
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 // The cheapest triangulation of a simple polygon: best_[i][j] is the cost of what lies between corners i and j. A set
 // of triangles that all turn left and whose outline is simple cannot overlap, so orientation is all that is asked.
 class Triangulation {
  public:
-  explicit Triangulation(std::vector<Vec2> corners)
+  // `needs_cut`: the corners that stay locked when none of their panel's cuts ends there.
+  Triangulation(std::vector<Vec2> corners, std::vector<char> needs_cut)
       : corners_(std::move(corners)),
+        needs_cut_(std::move(needs_cut)),
         size_(static_cast<int>(corners_.size())),
         best_(size_, std::vector<double>(size_, 0)),
         apex_(size_, std::vector<int>(size_, -1)) {
@@ -58,20 +62,40 @@ class Triangulation {
     if (!is_side) best_[i][j] += (corners_[j] - corners_[i]).norm();
   }
 
+  // Of an ear: a triangle with two sides of the polygon, whose tip no cut reaches.
+  double ear_cost(int i, int k, int j) const {
+    const auto tip_cost = [&](int tip) { return needs_cut_[tip] ? kLocked : 0; };
+    const bool is_last = i == 0 && j == size_ - 1;
+    double cost = j - i == 2 ? tip_cost(k) : 0;
+    if (is_last && k == 1) cost += tip_cost(i);
+    if (is_last && k == j - 1) cost += tip_cost(j);
+    return size_ > 3 ? cost : 0;
+  }
+
   double triangle_cost(int i, int k, int j) const {
     const Vec2 &a = corners_[i], &b = corners_[k], &c = corners_[j];
     if (orient2d(a, b, c) <= 0) return kNever;
     const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
     const double height = cross(Vec2(b - a), Vec2(c - a)) / longest;
     if (height < kNoTriangle * longest) return kNever;
-    return height < kSliver * longest ? 100 * longest : 0;
+    return (ear_cost(i, k, j) + (height < kSliver * longest ? 100 : 0)) * longest;
   }
 
   std::vector<Vec2> corners_;
+  std::vector<char> needs_cut_;
   int size_;
   std::vector<std::vector<double>> best_;
   std::vector<std::vector<int>> apex_;
 };
+
+// Vertices inside the sheet where up to three creases meet, as on a curve drawn with straight creases: locked unless a
+// cut on either side ends there.
+std::vector<char> locked_vertices(const CreasePattern& sheet) {
+  std::vector<char> locked(sheet.vertices.size(), 0);
+  for (const RealVertex& vertex : real_vertices(sheet))
+    if (!vertex.is_hole() && vertex.hinges.size() <= 3) locked[vertex.vertex] = 1;
+  return locked;
+}
 
 bool has_equal_corners(const std::vector<int>& face) {
   return std::set<int>(face.begin(), face.end()).size() != face.size();
@@ -84,10 +108,15 @@ Facets cut_into_facets(const CreasePattern& sheet) {
   result.sheet.vertices = sheet.vertices;
   result.sheet.edges = sheet.edges;
   result.first_cut = sheet.num_edges();
+  const std::vector<char> locked = locked_vertices(sheet);
   for (int f = 0; f < sheet.num_faces(); ++f) {
     const std::vector<int>& face = sheet.faces[f];
     std::vector<std::array<int, 3>> triangles;
-    if (face.size() > 3 && !has_equal_corners(face)) triangles = Triangulation(polygon(sheet, f)).triangles();
+    if (face.size() > 3 && !has_equal_corners(face)) {
+      std::vector<char> needs_cut;
+      for (int v : face) needs_cut.push_back(locked[v]);
+      triangles = Triangulation(polygon(sheet, f), std::move(needs_cut)).triangles();
+    }
     if (triangles.empty()) {
       result.sheet.faces.push_back(face);
       result.panel.push_back(f);

@@ -12,8 +12,9 @@ struct Facets {
   std::vector<int> panel;  // of the given sheet, of each facet
 };
 
-// Every panel cut into triangles by the diagonals of least length in all, slivers avoided where they can be. No vertex
-// is added. Panels that are not simple polygons stay whole. O(corners^3) a panel.
+// Every panel cut into triangles by the diagonals of least length in all, slivers avoided where they can be, and ears
+// whose tip is a vertex with up to three creases: nothing would turn there. No vertex is added. Panels that are not
+// simple polygons stay whole. O(corners^3) a panel.
 Facets cut_into_facets(const CreasePattern& sheet);
 
 // The sheet with its flat creases (F or J, goal 0) held there: their limit is 0.

@@ -1,13 +1,21 @@
 #include "plico/segment/dual_graph.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "plico/base/libm.h"
 #include "plico/mesh/measures.h"
 
 namespace plico {
+namespace {
+
+constexpr double kFineMesh = 2000;  // faces: from here on a valley is spread over several edges
+
+}  // namespace
 
 DualGraph::DualGraph(const Mesh& mesh) {
+  const double sharper = std::sqrt(std::max(1.0, static_cast<double>(mesh.num_faces()) / kFineMesh));
   for (FaceId f : mesh.faces()) {
     area_.push_back(plico::area(mesh, f));
     total_area_ += area_.back();
@@ -17,11 +25,19 @@ DualGraph::DualGraph(const Mesh& mesh) {
       const FaceId other = mesh.face(twin);
       const Vec3 middle = (mesh.point(mesh.from(h)) + mesh.point(mesh.to(h))) / 2;
       const EdgeId e = mesh.edge(h);
-      arcs_.push_back({other, length(mesh, e) * seam_factor(fold_angle(mesh, e)),
+      arcs_.push_back({other, length(mesh, e) * seam_factor(sharper * fold_angle(mesh, e)),
                        (center(mesh, f) - middle).norm() + (center(mesh, other) - middle).norm()});
     }
     first_.push_back(static_cast<int>(arcs_.size()));
   }
+}
+
+double DualGraph::held_cost() const { return 100 * std::sqrt(total_area_); }
+
+void DualGraph::hold(int a, int b) {
+  for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}})
+    for (int i = first_[from]; i < first_[from + 1]; ++i)
+      if (arcs_[i].to == to) arcs_[i].cost = held_cost();
 }
 
 double seam_factor(double fold_angle) {

@@ -15,7 +15,6 @@
 namespace plico {
 namespace {
 
-constexpr double kAreaPower = 0.6;
 constexpr double kBand = 0.35;  // half its width, in roots of the smaller side's area
 constexpr int kBins = 6;        // stretches of a sweep that give a cut each
 
@@ -53,6 +52,16 @@ class NeckSearch {
     pieces = pieces_of(kSide);
     keep_largest(pieces, kRest);
     return neck_of_marks();
+  }
+
+  // The minimum cut in a band around a cut, again while that helps.
+  Neck refine(Neck neck) {
+    for (int round = 0; round < 3; ++round) {
+      const std::optional<Neck> moved = cut_in_band(neck);
+      if (!moved || !better(*moved, neck)) return neck;
+      neck = *moved;
+    }
+    return neck;
   }
 
   // Every connected piece of a set of faces is a cut of its own.
@@ -107,7 +116,8 @@ class NeckSearch {
     if (!(smaller >= options_.min_area * whole)) return std::nullopt;
     Neck neck;
     neck.cost = cut_cost(graph_, side, mark_, kRest);
-    neck.score = neck.cost / std::sqrt(whole) / plico::pow(smaller / whole, kAreaPower);
+    if (neck.cost >= graph_.held_cost()) return std::nullopt;
+    neck.score = neck.cost / std::sqrt(whole) / plico::pow(smaller / whole, options_.area_power);
     neck.side = one <= area_ - one ? std::move(side) : std::move(rest);
     std::sort(neck.side.begin(), neck.side.end());
     return neck;
@@ -138,7 +148,7 @@ class NeckSearch {
       area += graph_.area(f);
       const double smaller = std::min(area, area_ - area);
       if (smaller < options_.min_area * graph_.total_area() || smaller <= 0) continue;
-      const double score = cost / plico::pow(smaller, kAreaPower);
+      const double score = cost / plico::pow(smaller, options_.area_power);
       const int bin = std::min(kBins - 1, static_cast<int>(kBins * area / area_));
       if (score < least[bin]) least[bin] = score, moment[bin] = i + 1;
     }
@@ -148,16 +158,6 @@ class NeckSearch {
       for (std::size_t i = 0; i < end; ++i) side.push_back(faces_[order[i]]);
       add_pieces(side, cuts);
     }
-  }
-
-  // The minimum cut in a band around a cut, again while that helps.
-  Neck refine(Neck neck) {
-    for (int round = 0; round < 3; ++round) {
-      const std::optional<Neck> moved = cut_in_band(neck);
-      if (!moved || !better(*moved, neck)) return neck;
-      neck = *moved;
-    }
-    return neck;
   }
 
   // How far every face is from the seam, over the faces of the part.
@@ -226,6 +226,7 @@ void check(const NeckOptions& options) {
   require(options.min_area >= 0 && options.min_area <= 0.5, "min-area", options.min_area, "in [0, 0.5]");
   require(options.eigenvectors >= 1, "eigenvectors", options.eigenvectors, "at least 1");
   require(options.refined >= 1, "refined", options.refined, "at least 1");
+  require(options.area_power >= 0 && options.area_power <= 1, "area-power", options.area_power, "in [0, 1]");
 }
 
 std::optional<Neck> best_neck(const DualGraph& graph, const std::vector<int>& faces, const NeckOptions& options) {
@@ -261,6 +262,13 @@ std::vector<int> cut_at_necks(const DualGraph& graph, std::vector<int> part, con
 std::optional<Neck> neck_at(const DualGraph& graph, const std::vector<int>& faces, const std::vector<int>& side,
                             const NeckOptions& options) {
   return NeckSearch(graph, faces, options).judge(side);
+}
+
+std::optional<Neck> smoothed_neck(const DualGraph& graph, const std::vector<int>& faces, const std::vector<int>& side,
+                                  const NeckOptions& options) {
+  NeckSearch search(graph, faces, options);
+  std::optional<Neck> neck = search.judge(side);
+  return neck ? search.refine(std::move(*neck)) : neck;
 }
 
 }  // namespace plico

@@ -12,6 +12,7 @@ struct NeckOptions {
   double min_area = 0.008;  // of the smaller side, as a share of the whole mesh; in [0, 0.5]
   int eigenvectors = 13;    // that are swept; at least 1
   int refined = 12;         // cuts of the sweeps that are refined by a minimum cut; at least 1
+  double area_power = 0.6;  // of the smaller side's area in the score; in [0, 1]
 };
 void check(const NeckOptions& options);  // throws InvalidOption naming field, value and range
 
@@ -19,7 +20,7 @@ void check(const NeckOptions& options);  // throws InvalidOption naming field, v
 struct Neck {
   std::vector<int> side;  // the faces of the smaller side, ascending
   double cost = 0;        // of the seam (DualGraph), units
-  double score = 0;  // cost over area of the smaller side to the power 0.6, both for a mesh of area 1: small is good
+  double score = 0;  // cost over area of the smaller side to the power above, both for a mesh of area 1: small is good
 };
 
 // The best cut found of `faces`, which must be connected; none when no cut leaves both sides large enough. Sweeps of
@@ -42,5 +43,9 @@ std::vector<int> cut_at_necks(const DualGraph& graph, std::vector<int> part, con
 // connected; none when a side is empty or too small.
 std::optional<Neck> neck_at(const DualGraph& graph, const std::vector<int>& faces, const std::vector<int>& side,
                             const NeckOptions& options);
+
+// The same cut with its seam where that is cheapest, within a band around it.
+std::optional<Neck> smoothed_neck(const DualGraph& graph, const std::vector<int>& faces, const std::vector<int>& side,
+                                  const NeckOptions& options);
 
 }  // namespace plico

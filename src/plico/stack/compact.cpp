@@ -9,7 +9,7 @@ namespace plico {
 namespace {
 
 constexpr int kMostEdges = 8;    // exchanged at once
-constexpr long kStall = 30'000;  // exchanges without progress before a fresh start
+constexpr long kStall = 60'000;  // exchanges without progress before a fresh start
 constexpr int kPollEvery = 256;  // exchanges
 
 // One chain over one boustrophedon of one height, and how far it gets.
@@ -26,10 +26,11 @@ class Attempt {
   const PileReach& reach() const { return reach_; }
   bool fits() const { return reach_.fits; }
 
-  // One random exchange near the pile where the chain fails; true when it got farther.
+  // One random exchange near the pile where the chain fails; true when it got farther. Slots that were left empty came
+  // before, so the panel that fails is that much nearer to the beginning.
   bool improve(Rng& rng) {
     const int back = rng.below(3), h = fit_.height();
-    const int fixed = std::max(0, (reach_.piles - back) * h - 1 - rng.below(h));
+    const int fixed = std::max(0, (reach_.piles - back) * h - 1 - reach_.waste - rng.below(h));
     const int end = std::min(panels_, (reach_.piles + 1) * h);
     const int start = fixed + rng.below(std::max(1, end - fixed));
     const int first = exchange_.exchange(std::min(start, panels_ - 1), fixed, kMostEdges, rng);
@@ -145,10 +146,14 @@ Attempt best_cut(Search& search, int height) {
   return best;
 }
 
+// The lowest height is tried first and every second time; in between one halfway, so that a chain that does not become
+// perfect becomes better.
 void exchange_squares(Search& search) {
   CompactResult& result = search.result;
+  bool halfway = false;
   while (search.height() > search.floor && result.exchanges < search.options.exchanges && !search.run.over()) {
-    Attempt attempt = best_cut(search, search.floor);
+    Attempt attempt = best_cut(search, search.floor + (halfway ? (search.height() - search.floor) / 2 : 0));
+    halfway = !halfway;
     for (long idle = 0; idle < kStall && !attempt.fits() && result.exchanges < search.options.exchanges; ++idle) {
       if (++result.exchanges % kPollEvery == 0 && search.run.over()) break;
       if (attempt.improve(search.rng)) idle = 0;
@@ -176,7 +181,8 @@ int ideal_layers(int panels, int width, int depth) {
 CompactResult compact_stack(const SquareGraph& graph, const std::vector<int>& cycle, bool closed,
                             const CompactOptions& options, const Run& run) {
   check(options, graph.size());
-  Search search{graph, cycle, closed, options, run, Rng(options.seed), {}};
+  const bool closes = closed && graph.side_to(cycle.back(), cycle.front()) >= 0;
+  Search search{graph, cycle, closes, options, run, Rng(options.seed), {}};
   search.floor = std::max(options.height, ideal_layers(graph.size(), options.width, options.depth));
   first_stack(search);
   try_cuts(search);
@@ -191,17 +197,21 @@ CompactResult compact_stack(const SquareGraph& graph, const std::vector<int>& cy
 
 double size_sum(const StackBox& box, double thickness) { return box.width + box.depth + thickness * box.height; }
 
-StackBox best_base(int panels, double thickness) {
-  StackBox best{1, 1, panels};
-  for (int width = 1; static_cast<long>(width) * width <= panels; ++width) {
-    for (int depth = width; static_cast<long>(width) * depth <= panels; ++depth) {
-      if (width + depth > size_sum(best, thickness)) break;
+std::optional<StackBox> best_base_in(const StackBox& room, int panels, double thickness) {
+  const auto [narrow, wide] = std::minmax(room.width, room.depth);
+  std::optional<StackBox> best;
+  for (int width = 1; width <= narrow && static_cast<long>(width) * width <= panels; ++width) {
+    for (int depth = width; depth <= wide && static_cast<long>(width) * depth <= panels; ++depth) {
+      if (best && width + depth > size_sum(*best, thickness)) break;
       const StackBox box{width, depth, ideal_layers(panels, width, depth)};
+      if (box.height > room.height) continue;
       // Of bases that are equally good, the one with the lower piles.
-      if (size_sum(box, thickness) <= size_sum(best, thickness) * (1 + 1e-12)) best = box;
+      if (!best || size_sum(box, thickness) <= size_sum(*best, thickness) * (1 + 1e-12)) best = box;
     }
   }
   return best;
 }
+
+StackBox best_base(int panels, double thickness) { return *best_base_in({panels, panels, panels}, panels, thickness); }
 
 }  // namespace plico

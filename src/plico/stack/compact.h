@@ -6,6 +6,7 @@
 //    (PathExchange), and what gets at least as far is kept, until the block is full.
 #pragma once
 #include <cstdint>
+#include <optional>
 
 #include "plico/base/run.h"
 #include "plico/stack/path_exchange.h"
@@ -25,7 +26,7 @@ struct CompactOptions {
   int width = 1, depth = 1;     // of the base in panels, each at least 1
   int height = 0;               // layers that are low enough; 0: as few as panels / base allows
   int cuts = 2000;              // looked at, at least 1
-  long exchanges = 40'000'000;  // tried, at least 0
+  long exchanges = 10'000'000;  // tried, at least 0
 };
 
 struct CompactResult {
@@ -36,15 +37,18 @@ struct CompactResult {
 
 int ideal_layers(int panels, int width, int depth);
 
-// `cycle` visits every square of `graph` once; with `closed` its last square is a neighbour of the first, so that it
-// may be cut anywhere. There always is a result: one pile. Throws InvalidOption or InvalidInput.
+// `cycle` visits every square of `graph` once; with `closed` it may be cut anywhere, if its last square is a neighbour
+// of the first. There always is a result: one pile. Throws InvalidOption or InvalidInput.
 CompactResult compact_stack(const SquareGraph& graph, const std::vector<int>& cycle, bool closed,
                             const CompactOptions& options = {}, const Run& run = {});
 
 // W + D + H of a stack of panels that are `thickness` thick, in panel sides.
 double size_sum(const StackBox& box, double thickness);
 
-// The base with the least W + D + t H for ideal layers, W <= D; `most` bounds W, D. The smooth optimum is cbrt(t n).
+// The base with the least W + D + t H for ideal layers, W <= D. The smooth optimum is cbrt(t n).
 StackBox best_base(int panels, double thickness);
+
+// The same among those that fit into a block of slots, either way round; empty when there is none.
+std::optional<StackBox> best_base_in(const StackBox& room, int panels, double thickness);
 
 }  // namespace plico

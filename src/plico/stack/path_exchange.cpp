@@ -68,6 +68,16 @@ std::optional<int> PathExchange::remove_beside(int square, int fixed, Rng& rng) 
   return path_[take_before ? at - 1 : at + 1];
 }
 
+// A neighbour of the square that the path does not lead to, `home` excepted.
+std::optional<int> PathExchange::new_neighbour(int square, int home, int fixed, Rng& rng) const {
+  std::array<int, 4> choice{};
+  int choices = 0;
+  for (int next : graph_->neighbours[square])
+    if (place_[next] >= fixed && !in_path(square, next) && next != home) choice[choices++] = next;
+  if (choices == 0) return {};
+  return choice[rng.below(choices)];
+}
+
 // An alternating walk from one end of the first edge taken away back to the other. Behind the last square lies nothing,
 // so a walk that begins there may end anywhere: the path then gets another end.
 bool PathExchange::walk(int start, int fixed, int most, Rng& rng) {
@@ -86,8 +96,9 @@ bool PathExchange::walk(int start, int fixed, int most, Rng& rng) {
       return true;
     }
     if (open && step > 0 && rng.below(2) == 0) return true;
-    const int next = graph_->neighbours[free][rng.below(4)];
-    if (place_[next] < fixed || in_path(free, next) || next == home) return false;
+    const std::optional<int> next_square = new_neighbour(free, home, fixed, rng);
+    if (!next_square) return false;
+    const int next = *next_square;
     for (const Edge& edge : added_)
       if ((edge.a == free && edge.b == next) || (edge.a == next && edge.b == free)) return false;
     added_.push_back({free, next});

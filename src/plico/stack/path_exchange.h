@@ -46,6 +46,7 @@ class PathExchange {
   };
   bool walk(int start, int fixed, int most, Rng& rng);
   bool in_path(int a, int b) const;
+  std::optional<int> new_neighbour(int square, int home, int fixed, Rng& rng) const;
   bool is_removed(int place) const;  // the edge behind it
   std::optional<int> remove_beside(int square, int fixed, Rng& rng);
   bool reconnect();

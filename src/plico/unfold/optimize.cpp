@@ -1,6 +1,7 @@
 #include "plico/unfold/optimize.h"
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 
 #include "plico/base/error.h"
@@ -11,6 +12,7 @@
 #include "plico/mesh/measures.h"
 #include "plico/unfold/by_component.h"
 #include "plico/unfold/dual_tree.h"
+#include "plico/unfold/handy_folds.h"
 #include "plico/unfold/heuristics.h"
 #include "plico/unfold/hull_tracker.h"
 #include "plico/unfold/overlap.h"
@@ -27,6 +29,10 @@ constexpr Temperatures kForHull{3, 0.03}, kForLengths{1, 0.01};
 constexpr long kStepsAPanel = 2000, kMostSteps = 600'000;
 // Share of the steps that start from a panel on the hull, when hull or box count; and how far they climb.
 constexpr double kFromHull = 0.7, kClimb = 0.9;
+// What one weak fold or needle weighs, against all that the hull weighs at the start.
+constexpr double kFault = 0.06;
+// How often on the way a net that folds is looked at closely.
+constexpr int kLooks = 8;
 
 double interior_length(const Mesh& mesh) {
   double sum = 0;
@@ -45,14 +51,40 @@ double box_area(const std::vector<Vec2>& hull) {
   return size.x() * size.y();
 }
 
+// The smallest sheet of office paper, in any size, upright along some side of the hull.
+double sheet_area(const std::vector<Vec2>& hull) {
+  constexpr double kSqrt2 = 1.4142135623730951;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const Vec2 along = (hull[(i + 1) % hull.size()] - hull[i]).normalized(), up = perpendicular(along);
+    double low = 0, high = 0, height = 0;
+    for (const Vec2& p : hull) {
+      const double x = along.dot(p - hull[i]);
+      low = std::min(low, x);
+      high = std::max(high, x);
+      height = std::max(height, up.dot(p - hull[i]));
+    }
+    const double width = high - low;
+    least = std::min({least, std::max(width, height / kSqrt2), std::max(height, width / kSqrt2)});
+  }
+  return hull.empty() ? 0 : kSqrt2 * least * least;
+}
+
 int deepest(const DualTree& tree) {
   int depth = 0;
   for (int f = 0; f < tree.mesh().num_faces(); ++f) depth = std::max(depth, tree.depth(f));
   return depth;
 }
 
-NetFeatures features_of(const DualTree& tree, const HullTracker& hull, double cut_length) {
-  return {cut_length, signed_area(hull.hull()), box_area(hull.hull()), static_cast<double>(deepest(tree))};
+NetFeatures features_of(const DualTree& tree, const HullTracker& hull, const HandyFolds& handy, double cut_length) {
+  const HandFaults faults = handy.all();
+  return {cut_length,
+          signed_area(hull.hull()),
+          box_area(hull.hull()),
+          static_cast<double>(deepest(tree)),
+          sheet_area(hull.hull()),
+          faults.weak_folds,
+          faults.needles};
 }
 
 // f of [Xi17] 5.5, with weights divided by the features of the net to be improved.
@@ -60,16 +92,23 @@ struct Objective {
   NetFeatures weight;
 
   Objective(const NetFeatures& w, const NetFeatures& start) {
-    const double sum = w.cut_length + w.hull_area + w.box_area + w.longest_branch;
-    const auto scaled = [&](double one, double value) { return value > 0 ? one / (sum * value) : 0; };
-    weight = {scaled(w.cut_length, start.cut_length), scaled(w.hull_area, start.hull_area),
-              scaled(w.box_area, start.box_area), scaled(w.longest_branch, start.longest_branch)};
+    const double sum = w.cut_length + w.hull_area + w.box_area + w.longest_branch + w.sheet_area;
+    const auto scaled = [&](double one, double value) { return value > 0 ? one / (std::max(sum, 1e-9) * value) : 0; };
+    weight = {scaled(w.cut_length, start.cut_length),
+              scaled(w.hull_area, start.hull_area),
+              scaled(w.box_area, start.box_area),
+              scaled(w.longest_branch, start.longest_branch),
+              scaled(w.sheet_area, start.sheet_area),
+              kFault * w.weak_folds,
+              kFault * w.needles};
   }
   double operator()(const NetFeatures& x) const {
     return weight.cut_length * x.cut_length + weight.hull_area * x.hull_area + weight.box_area * x.box_area +
-           weight.longest_branch * x.longest_branch;
+           weight.longest_branch * x.longest_branch + weight.sheet_area * x.sheet_area +
+           weight.weak_folds * x.weak_folds + weight.needles * x.needles;
   }
-  bool needs_hull() const { return weight.hull_area > 0 || weight.box_area > 0; }
+  bool needs_hull() const { return weight.hull_area > 0 || weight.box_area > 0 || weight.sheet_area > 0; }
+  bool needs_hands() const { return weight.weak_folds > 0 || weight.needles > 0; }
 };
 
 struct Candidate {
@@ -85,8 +124,17 @@ bool is_clean(const FlatFaces& faces, const FoldForest& tree) {
 // where its fresh layout can be checked for the price of a few steps.
 class Annealing {
  public:
-  Annealing(const FlatFaces& faces, const Objective& objective, Candidate start, Rng rng)
-      : faces_(faces), mesh_(faces.mesh()), objective_(objective), best_(std::move(start)), rng_(rng) {
+  // With a motion cost the best net is one that folds, as the start is.
+  Annealing(const FlatFaces& faces, const Objective& objective, double shortest_fold, Candidate start, Rng rng,
+            std::unique_ptr<MotionCost> motion = nullptr)
+      : faces_(faces),
+        mesh_(faces.mesh()),
+        objective_(objective),
+        shortest_fold_(shortest_fold),
+        best_(std::move(start)),
+        rng_(rng),
+        motion_(std::move(motion)) {
+    if (motion_) folds_ = best_;
     for (EdgeId e : mesh_.edges()) edge_length_.push_back(length(mesh_, e));
     whole_length_ = interior_length(mesh_);
   }
@@ -96,8 +144,13 @@ class Annealing {
     if (n < 2) return std::move(best_);
     const auto [hot, cold] = objective_.needs_hull() ? kForHull : kForLengths;
     const long block = std::max(n, 256);
+    long next_look = steps / kLooks;
     for (long done = 0; done < steps; done += block) {
       if (run.over()) break;
+      if (motion_ && done >= next_look) {
+        look_closer(run);
+        next_look += steps / kLooks;
+      }
       if (!tree_) set_out();
       for (long step = done; step < std::min(steps, done + block); ++step) {
         const double cooling = static_cast<double>(step) / static_cast<double>(steps);
@@ -105,15 +158,29 @@ class Annealing {
       }
       keep_if_best();
     }
-    return std::move(best_);
+    if (!motion_) return std::move(best_);
+    look_closer(run);
+    return std::move(folds_);
   }
 
  private:
   void set_out() {
     tree_ = std::make_unique<DualTree>(faces_, best_.net);
     hull_ = std::make_unique<HullTracker>(*tree_);
-    now_ = features_of(*tree_, *hull_, whole_length_ - fold_length(mesh_, best_.net));
+    handy_ = std::make_unique<HandyFolds>(*tree_, shortest_fold_);
+    now_ = features_of(*tree_, *hull_, *handy_, whole_length_ - fold_length(mesh_, best_.net));
     value_ = objective_(now_);
+    if (motion_) motion_->reset(best_.net);
+  }
+
+  // The best net so far folds for certain, or the search sets out again from the last that does, knowing why not.
+  void look_closer(const Run& run) {
+    if (best_.value < folds_.value && !run.over()) {
+      motion_->reset(best_.net);
+      if (motion_->cost() == 0 && motion_->look_closer(best_.net, run) == MotionCost::Closer::Free) folds_ = best_;
+    }
+    best_ = folds_;
+    tree_.reset();
   }
 
   void keep_if_best() {
@@ -143,12 +210,21 @@ class Annealing {
     NetFeatures next = now_;
     next.cut_length += edge_length_[mesh_.edge(HalfedgeId(hangs_by))] - edge_length_[mesh_.edge(HalfedgeId(side))];
     if (objective_.weight.longest_branch > 0) next.longest_branch = deepest_if_hung(side);
+    if (objective_.needs_hands()) {
+      const HandFaults change = handy_->change_if_hung(side);
+      next.weak_folds += change.weak_folds;
+      next.needles += change.needles;
+    }
     if (objective_.needs_hull()) measure(hull_->least_hull_if_hung(side), next);
     if (objective_(next) > bound) return;
     long looked = 0;
     if (tree_->overlaps_if_hung(side, 1, looked) > 0) return;
     if (objective_.needs_hull()) measure(hull_->hull_if_hung(side), next);
     if (objective_(next) > bound) return;
+    if (motion_) {
+      if (motion_->cost_if_hung(tree_->branch(), side, 0) > 0) return;
+      motion_->hang(tree_->branch(), side);
+    }
     tree_->hang(side);
     if (objective_.needs_hull()) hull_->accept();
     now_ = next;
@@ -158,6 +234,7 @@ class Annealing {
   void measure(const std::vector<Vec2>& hull, NetFeatures& features) const {
     features.hull_area = signed_area(hull);
     if (objective_.weight.box_area > 0) features.box_area = box_area(hull);
+    if (objective_.weight.sheet_area > 0) features.sheet_area = sheet_area(hull);
   }
 
   int pick_branch() {
@@ -211,43 +288,77 @@ class Annealing {
   const FlatFaces& faces_;
   const Mesh& mesh_;
   const Objective& objective_;
-  Candidate best_;
+  const double shortest_fold_;
+  Candidate best_, folds_;
   Rng rng_;
+  std::unique_ptr<MotionCost> motion_;
   std::vector<double> edge_length_;
   double whole_length_ = 0;
   std::unique_ptr<DualTree> tree_;
   std::unique_ptr<HullTracker> hull_;
+  std::unique_ptr<HandyFolds> handy_;
   NetFeatures now_;
   double value_ = 0;
   std::vector<Placed> order_;
 };
 
-NetFeatures features(const FlatFaces& faces, const FoldForest& tree) {
+NetFeatures features(const FlatFaces& faces, const FoldForest& tree, double shortest_fold) {
   const DualTree laid(faces, tree);
-  return features_of(laid, HullTracker(laid), interior_length(faces.mesh()) - fold_length(faces.mesh(), tree));
+  return features_of(laid, HullTracker(laid), HandyFolds(laid, shortest_fold),
+                     interior_length(faces.mesh()) - fold_length(faces.mesh(), tree));
 }
 
 // The given net and those grown afresh, best first. A net grown from long folds is often much better than one bent into
 // shape from a poor one.
 std::vector<Candidate> starts(const FlatFaces& faces, const FoldForest& net, const Objective& objective,
                               const OptimizeOptions& options, const Run& run) {
-  std::vector<Candidate> all(options.starts + 1, {net, objective(features(faces, net))});
+  std::vector<Candidate> all(options.starts + 1, {net, objective(features(faces, net, options.shortest_fold))});
   parallel_for(run, options.starts, [&](int i) {
     if (run.over()) return;
     const SearchOptions search{
         .seed = Rng(options.seed).stream(i).next(), .starts = 1, .grow_by = Heuristic::MinimumPerimeter};
     SearchResult found = find_net(faces.mesh(), search, run);
     if (found.ending != Ending::Found) return;
-    const double value = objective(features(faces, found.forest));
+    const double value = objective(features(faces, found.forest, options.shortest_fold));
     all[i + 1] = {std::move(found.forest), value};
   });
   std::stable_sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return a.value < b.value; });
   return all;
 }
 
+OptimizeResult improve(const Mesh& mesh, const FoldForest& net,
+                       const std::function<std::unique_ptr<MotionCost>()>& new_cost, const OptimizeOptions& options,
+                       const Run& run) {
+  check(options);
+  if (count_parts(mesh, net) != 1) throw InvalidInput("optimize/not-a-net", "the forest is not one spanning tree");
+  const FlatFaces faces(mesh);
+  if (!is_clean(faces, net)) throw InvalidInput("optimize/overlap", "the unfolding to be optimized overlaps itself");
+
+  OptimizeResult result;
+  result.before = features(faces, net, options.shortest_fold);
+  const Objective objective(options.weights, result.before);
+  const std::vector<Candidate> from = starts(faces, net, objective, options, run);
+  const long steps = options.steps >= 0 ? options.steps : std::min(kStepsAPanel * mesh.num_faces(), kMostSteps);
+  std::vector<Candidate> lanes(options.lanes);
+  parallel_for(run, options.lanes, [&](int i) {
+    const Candidate& start = from[std::min<std::size_t>(i, from.size() - 1)];
+    lanes[i] = Annealing(faces, objective, options.shortest_fold, start, Rng(options.seed).stream(options.starts + i),
+                         new_cost ? new_cost() : nullptr)
+                   .go(steps, run);
+  });
+  const auto best = std::min_element(lanes.begin(), lanes.end(),
+                                     [](const Candidate& a, const Candidate& b) { return a.value < b.value; });
+  result.forest = std::move(best->net);
+  result.after = features(faces, result.forest, options.shortest_fold);
+  if (run.over()) result.ending = run.ending();
+  return result;
+}
+
 }  // namespace
 
-NetFeatures net_features(const Mesh& mesh, const FoldForest& tree) { return features(FlatFaces(mesh), tree); }
+NetFeatures net_features(const Mesh& mesh, const FoldForest& tree, double shortest_fold) {
+  return features(FlatFaces(mesh), tree, shortest_fold);
+}
 
 double least_cut_length(const Mesh& mesh) {
   std::vector<double> weights;
@@ -257,44 +368,35 @@ double least_cut_length(const Mesh& mesh) {
 
 void check(const OptimizeOptions& options) {
   const NetFeatures& w = options.weights;
-  for (double weight : {w.cut_length, w.hull_area, w.box_area, w.longest_branch})
+  const double lengths_and_areas = w.cut_length + w.hull_area + w.box_area + w.longest_branch + w.sheet_area;
+  for (double weight : {w.cut_length, w.hull_area, w.box_area, w.longest_branch, w.sheet_area, w.weak_folds, w.needles})
     if (!(weight >= 0)) throw InvalidOption(fmt::format("weight = {} must be at least 0", weight));
-  if (!(w.cut_length + w.hull_area + w.box_area + w.longest_branch > 0))
-    throw InvalidOption("weights: at least one must be above 0");
+  if (!(lengths_and_areas + w.weak_folds + w.needles > 0)) throw InvalidOption("weights: at least one must be above 0");
   if (options.steps < -1) throw InvalidOption(fmt::format("steps = {} must be at least -1", options.steps));
   if (options.lanes < 1) throw InvalidOption(fmt::format("lanes = {} must be at least 1", options.lanes));
   if (options.starts < 0) throw InvalidOption(fmt::format("starts = {} must be at least 0", options.starts));
+  if (!(options.shortest_fold >= 0))
+    throw InvalidOption(fmt::format("shortest_fold = {} must be at least 0", options.shortest_fold));
 }
 
 NetFeatures weights_for(std::string_view wish) {
   if (wish == "cut-length") return {.cut_length = 1};
   if (wish == "hull-area") return {.hull_area = 1};
   if (wish == "page") return {.box_area = 1};
-  throw InvalidOption(fmt::format("optimize {} is not known: cut-length, hull-area or page", wish));
+  if (wish == "hands") return {.hull_area = 1, .sheet_area = 1, .weak_folds = 1, .needles = 1};
+  throw InvalidOption(fmt::format("optimize {} is not known: cut-length, hull-area, page or hands", wish));
 }
 
 OptimizeResult optimize_net(const Mesh& mesh, const FoldForest& net, const OptimizeOptions& options, const Run& run) {
-  check(options);
-  if (count_parts(mesh, net) != 1) throw InvalidInput("optimize/not-a-net", "the forest is not one spanning tree");
-  const FlatFaces faces(mesh);
-  if (!is_clean(faces, net)) throw InvalidInput("optimize/overlap", "the unfolding to be optimized overlaps itself");
+  return improve(mesh, net, nullptr, options, run);
+}
 
-  OptimizeResult result;
-  result.before = features(faces, net);
-  const Objective objective(options.weights, result.before);
-  const std::vector<Candidate> from = starts(faces, net, objective, options, run);
-  const long steps = options.steps >= 0 ? options.steps : std::min(kStepsAPanel * mesh.num_faces(), kMostSteps);
-  std::vector<Candidate> lanes(options.lanes);
-  parallel_for(run, options.lanes, [&](int i) {
-    const Candidate& start = from[std::min<std::size_t>(i, from.size() - 1)];
-    lanes[i] = Annealing(faces, objective, start, Rng(options.seed).stream(options.starts + i)).go(steps, run);
-  });
-  const auto best = std::min_element(lanes.begin(), lanes.end(),
-                                     [](const Candidate& a, const Candidate& b) { return a.value < b.value; });
-  result.forest = std::move(best->net);
-  result.after = features(faces, result.forest);
-  if (run.over()) result.ending = run.ending();
-  return result;
+OptimizeResult optimize_foldable_net(const Mesh& mesh, const FoldForest& net,
+                                     const std::function<std::unique_ptr<MotionCost>()>& new_cost,
+                                     const OptimizeOptions& options, const Run& run) {
+  OptimizeOptions own = options;
+  own.starts = 0;
+  return improve(mesh, net, new_cost, own, run);
 }
 
 }  // namespace plico

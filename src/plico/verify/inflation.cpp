@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "plico/base/error.h"
 #include "plico/mesh/measures.h"
@@ -65,8 +66,9 @@ InflationVerdict verify_inflation(const Mesh& before, const PolygonSoup& soup, c
   find_turned_face(before, after, verdict.defects);
   find_new_meeting(before, after, verdict.defects);
   find_moved_vertex(before, after, keep, verdict.defects);
-  if (!(verdict.growth <= max_growth + 1e-9))
-    verdict.defects.push_back(fmt::format("the volume grew by {:.6g}, allowed is {:.6g}", verdict.growth, max_growth));
+  if (!(std::abs(verdict.growth) <= max_growth + 1e-9))
+    verdict.defects.push_back(
+        fmt::format("the volume changed by {:.6g}, allowed is {:.6g}", verdict.growth, max_growth));
   return verdict;
 }
 

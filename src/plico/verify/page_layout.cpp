@@ -94,7 +94,8 @@ class Judge {
   }
 
   bool inside_margins(const std::vector<Vec2>& piece, int page) const {
-    const Vec2 low = Vec2::Constant(layout_.margin - kTolerance), high = layout_.pages[page].size - low;
+    const Vec2 loose = Vec2::Constant(kTolerance), low = layout_.margin.low() - loose;
+    const Vec2 high = layout_.pages[page].size - layout_.margin.high() + loose;
     for (const Vec2& p : piece)
       if ((p.array() < low.array()).any() || (p.array() > high.array()).any()) return false;
     return true;

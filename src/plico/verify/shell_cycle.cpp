@@ -58,22 +58,23 @@ std::string text(const Square& s) {
                      "xyz"[s.second / 2]);
 }
 
-class Judge {
+class CycleJudge {
  public:
-  Judge(const VoxelGrid& grid, Pairing pairing) : pairing_(pairing), boundary_(boundary_of(grid)) {
+  CycleJudge(const VoxelGrid& grid, Pairing pairing) : pairing_(pairing), boundary_(boundary_of(grid)) {
     for (const Square& square : boundary_)
       for (const Point& edge : edges_of(square)) ++at_edge_[edge];
     verdict_.squares = static_cast<int>(boundary_.size());
   }
 
-  CycleVerdict judge(const std::vector<ShellSquare>& cycle) {
+  CycleVerdict judge(const std::vector<ShellSquare>& walk, bool closed) {
     std::set<Square> seen;
-    for (std::size_t i = 0; i < cycle.size(); ++i) {
-      const ShellSquare& next = cycle[(i + 1) % cycle.size()];
-      const Square a{cycle[i].voxel, static_cast<int>(cycle[i].normal)}, b{next.voxel, static_cast<int>(next.normal)};
+    for (std::size_t i = 0; i < walk.size(); ++i) {
+      const ShellSquare& next = walk[(i + 1) % walk.size()];
+      const Square a{walk[i].voxel, static_cast<int>(walk[i].normal)}, b{next.voxel, static_cast<int>(next.normal)};
       if (!boundary_.count(a)) tell(fmt::format("{} is no part of the boundary", text(a)));
       if (!seen.insert(a).second) tell(fmt::format("{} is visited twice", text(a)));
-      if (!are_joined(a, b)) tell(fmt::format("{} and {} follow each other and are not joined", text(a), text(b)));
+      if ((closed || i + 1 < walk.size()) && !are_joined(a, b))
+        tell(fmt::format("{} and {} follow each other and are not joined", text(a), text(b)));
     }
     if (seen.size() < boundary_.size())
       tell(fmt::format("{} of {} squares are visited", seen.size(), boundary_.size()));
@@ -107,7 +108,11 @@ class Judge {
 }  // namespace
 
 CycleVerdict verify_shell_cycle(const VoxelGrid& grid, Pairing pairing, const std::vector<ShellSquare>& cycle) {
-  return Judge(grid, pairing).judge(cycle);
+  return CycleJudge(grid, pairing).judge(cycle, true);
+}
+
+CycleVerdict verify_shell_path(const VoxelGrid& grid, Pairing pairing, const std::vector<ShellSquare>& path) {
+  return CycleJudge(grid, pairing).judge(path, false);
 }
 
 }  // namespace plico

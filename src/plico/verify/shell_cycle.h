@@ -19,4 +19,7 @@ struct CycleVerdict {
 // neighbours. A boundary in several pieces has no such cycle. At most ten problems are told. O(n log n).
 CycleVerdict verify_shell_cycle(const VoxelGrid& grid, Pairing pairing, const std::vector<ShellSquare>& cycle);
 
+// The same for a walk that need not close.
+CycleVerdict verify_shell_path(const VoxelGrid& grid, Pairing pairing, const std::vector<ShellSquare>& path);
+
 }  // namespace plico

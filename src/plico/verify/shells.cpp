@@ -58,14 +58,13 @@ class ShellsJudge {
     Eigen::AlignedBox3d box;
     for (const auto& part : claim.parts)
       for (const Vec3& p : part) box.extend(p);
+    for (const auto& shell : claim.shells)
+      for (const Vec3& p : shell.surface.points) box.extend(p);
     diagonal_ = box.isEmpty() ? 0 : box.diagonal().norm();
   }
 
   ShellsVerdict judge() {
-    verdict_.shells = static_cast<int>(claim_.shells.size());
-    for (int s = 0; s < verdict_.shells; ++s)
-      if (!is_triangles(s)) return finish();
-    for (const auto& shell : claim_.shells) spaces_.push_back(half_spaces(shell.surface));
+    if (!read_surfaces()) return finish();
     for (int s = 0; s < verdict_.shells && still_running(); ++s) {
       check_convex(s);
       check_inside(s);
@@ -76,7 +75,51 @@ class ShellsJudge {
     return finish();
   }
 
+  ShellsVerdict judge_around(const ShellsClaim& before, double max_growth) {
+    if (!read_surfaces()) return finish();
+    if (before.shells.size() != claim_.shells.size()) {
+      defect("shells/count", fmt::format("{} shells became {}", before.shells.size(), claim_.shells.size()));
+      return finish();
+    }
+    for (int s = 0; s < verdict_.shells && still_running(); ++s) {
+      check_convex(s);
+      check_around(s, before.shells[s].surface, max_growth);
+    }
+    check_disjoint();
+    check_contacts();
+    return finish();
+  }
+
  private:
+  bool read_surfaces() {
+    verdict_.shells = static_cast<int>(claim_.shells.size());
+    for (int s = 0; s < verdict_.shells; ++s)
+      if (!is_triangles(s)) return false;
+    for (const auto& shell : claim_.shells) spaces_.push_back(half_spaces(shell.surface));
+    return true;
+  }
+
+  // The old surface is inside, and the volume between is no more than allowed.
+  void check_around(int s, const PolygonSoup& old, double max_growth) {
+    double worst = -INFINITY;
+    for (int v : old.corners) worst = std::max(worst, spaces_[s].outside(old.points[v]));
+    if (!(worst <= options_.tolerance * diagonal_))
+      defect("shells/not-around", fmt::format("shell {} leaves {:.3g} of what it was outside", s, worst));
+    const double growth = enclosed_volume(surface(s)) / enclosed_volume(old) - 1;
+    if (!(growth >= -1e-6 && growth <= max_growth + 1e-9))
+      defect("shells/growth", fmt::format("shell {} grew by {:.6g}, allowed is {:.6g}", s, growth, max_growth));
+  }
+
+  static double enclosed_volume(const PolygonSoup& soup) {
+    double six = 0;
+    const Vec3 origin = soup.points.front();
+    for (int f = 0; f < soup.num_faces(); ++f) {
+      const auto c = soup.face(f);
+      six += (soup.points[c[0]] - origin).dot((soup.points[c[1]] - origin).cross(soup.points[c[2]] - origin));
+    }
+    return six / 6;
+  }
+
   bool still_running() {
     if (run_.over()) verdict_.complete = false;
     return verdict_.complete;
@@ -280,6 +323,10 @@ class ShellsJudge {
 
 ShellsVerdict verify_shells(const ShellsClaim& claim, const ShellsCheckOptions& options, const Run& run) {
   return ShellsJudge(claim, options, run).judge();
+}
+
+ShellsVerdict verify_remeshed_shells(const RemeshClaim& claim, const ShellsCheckOptions& options, const Run& run) {
+  return ShellsJudge(claim.after, options, run).judge_around(claim.before, claim.max_growth);
 }
 
 }  // namespace plico

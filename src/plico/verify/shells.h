@@ -56,4 +56,17 @@ struct ShellsVerdict {
 // Never throws for wrong shells. O(pairs * points + samples * facets).
 ShellsVerdict verify_shells(const ShellsClaim& claim, const ShellsCheckOptions& options = {}, const Run& run = {});
 
+// What is claimed of shells that were remeshed: those of `before`, in its order, are inside those of `after`.
+struct RemeshClaim {
+  const ShellsClaim& before;
+  const ShellsClaim& after;  // its in_hull_of, parts and loss are not looked at
+  double max_growth = 0;     // of the volume of each shell, as a share of it
+};
+
+// Checks that every new shell is convex and every two are disjoint, exactly as verify_shells() does; that contacts lie
+// on both of their shells; that every point of an old shell is in the new one within the tolerance; that its volume did
+// not shrink, beyond rounding, nor grow by more than max_growth. Never throws for wrong shells. O(pairs * points).
+ShellsVerdict verify_remeshed_shells(const RemeshClaim& claim, const ShellsCheckOptions& options = {},
+                                     const Run& run = {});
+
 }  // namespace plico

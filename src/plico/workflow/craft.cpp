@@ -7,6 +7,8 @@
 
 #include "plico/base/error.h"
 #include "plico/base/version.h"
+#include "plico/fabricate/hand_measures.h"
+#include "plico/io/motion/png.h"
 #include "plico/io/motion/viewer.h"
 #include "plico/io/page/dxf.h"
 #include "plico/io/page/pdf.h"
@@ -14,12 +16,17 @@
 #include "plico/io/pattern/fold.h"
 #include "plico/mesh/measures.h"
 #include "plico/segment/given.h"
+#include "plico/verify/joints.h"
+#include "plico/workflow/kit_joints.h"
 #include "plico/workflow/kit_motion.h"
 #include "plico/workflow/parts_file.h"
 #include "plico/workflow/show_proof.h"
 
 namespace plico {
 namespace {
+
+// Steps of each lane that improves a net for hands, per face and at most: seconds for a usual animal.
+constexpr long kImprovingSteps = 400, kMostImprovingSteps = 200'000;
 
 std::string_view kind_of(MotionMethod method) {
   return method == MotionMethod::Linear || method == MotionMethod::Uniform ? name(method) : "planned";
@@ -34,6 +41,71 @@ ProvePartOptions wanted_of_parts(const CraftOptions& options) {
   return wanted;
 }
 
+std::vector<JointClaim> claims_of(const std::vector<Joint>& joints) {
+  std::vector<JointClaim> claims;
+  for (const Joint& joint : joints) claims.push_back({joint.first_face, joint.second_face, joint.polygon});
+  return claims;
+}
+
+// What is asked of a better net, which folds at the size that the present one is printed at.
+OptimizeOptions better_for(const CraftOptions& options, const Mesh& mesh, double scale) {
+  OptimizeOptions wanted{.seed = options.unfold.search.seed,
+                         .weights = weights_for(options.wish == HandWish::Page ? "page" : "hands"),
+                         .starts = 4};
+  wanted.steps = std::min(kImprovingSteps * mesh.num_faces(), kMostImprovingSteps);
+  wanted.shortest_fold = kSmallEdge / scale;
+  return wanted;
+}
+
+double printed_scale(const CraftOptions& options, const Mesh& mesh, const Unfolding& net) {
+  LayoutOptions layout = options.layout;
+  layout.size.fill_page = true;
+  return wanted_scale(net, folded_shape(mesh), layout);
+}
+
+bool may_improve(const CraftOptions& options, const Mesh& mesh) {
+  return options.wish != HandWish::None && mesh.num_faces() > 2 && mesh.num_faces() <= kMostToImprove;
+}
+
+std::optional<FoldingLaw> proven_law(const std::optional<Motion>& motion) {
+  if (!motion || motion->proof.verdict != PathVerdict::Free) return {};
+  if (motion->method == MotionMethod::Linear) return FoldingLaw::Linear;
+  if (motion->method == MotionMethod::Uniform) return FoldingLaw::Uniform;
+  return {};
+}
+
+// A net that folds straight gives way to a better one that does, too.
+bool improve(const Mesh& mesh, const CraftOptions& options, double scale, const Run& run, Unfolding& net,
+             NetVerdict& verdict, std::optional<Motion>& motion, FoldForest& forest) {
+  const std::optional<FoldingLaw> law = proven_law(motion);
+  if (!law || mesh.num_faces() < 3 || run.over()) return false;
+  BetterNet better = better_foldable_net(mesh, forest, {.seed = options.unfold.search.seed, .law = *law},
+                                         better_for(options, mesh, scale), run);
+  Unfolding laid = lay_flat(mesh, better.tree);
+  NetVerdict judged = verify_net(laid, mesh);
+  if (!judged.is_net() || better.proof.verdict != PathVerdict::Free) return false;
+  net = std::move(laid);
+  verdict = std::move(judged);
+  motion = Motion{motion->method, std::move(better.path), better.proof};
+  forest = std::move(better.tree);
+  return true;
+}
+
+void improve_parts(const Mesh& mesh, const CraftOptions& options, const Run& run, Kit& kit) {
+  if (!may_improve(options, mesh)) return;
+  run.report("making the nets better for hands", 0);
+  const double scale = printed_scale(options, mesh, kit.net);
+  bool any = false;
+  for (ProvenPart& part : kit.part)
+    any |= improve(part.shape.mesh, options, scale, run, part.net, part.verdict, part.motion, part.forest);
+  if (!any) return;
+  Kit better = put_together(mesh, std::move(kit.parts), std::move(kit.part), run);
+  better.joints = std::move(kit.joints);
+  better.mirror = std::move(kit.mirror);
+  better.notes = std::move(kit.notes);
+  kit = std::move(better);
+}
+
 // A mesh in several pieces, or cut into parts, becomes a kit: every piece has its own net and motion.
 void find_kit(const Mesh& mesh, const CraftOptions& options, const Run& run, CraftResult& result) {
   run.report("looking for nets that fold", 0);
@@ -43,14 +115,25 @@ void find_kit(const Mesh& mesh, const CraftOptions& options, const Run& run, Cra
     cut.prove = wanted_of_parts(options);
     kit = segment_mesh(mesh, cut, run);
   } else {
-    kit = make_kit(mesh, by_components(mesh), wanted_of_parts(options), run);
+    kit = make_kit(mesh, options.pieces ? *options.pieces : by_components(mesh), wanted_of_parts(options), run);
+    kit.joints = options.joints;
+    result.joint_defects = verify_joints(mesh, claims_of(kit.joints));
   }
+  improve_parts(mesh, options, run, kit);
   result.ending = kit.ending;
   if (options.law) result.motion = motion_of_pieces(mesh, kit, run);
   if (!result.motion) result.why_no_motion = options.law ? "nothing turns" : "none was asked for";
   result.net = kit.net;
   result.verdict = kit.verdict;
   result.kit = std::move(kit);
+}
+
+void improve_net(const Mesh& mesh, const CraftOptions& options, const Run& run, CraftResult& result) {
+  if (!result.motion || !may_improve(options, mesh)) return;
+  run.report("making the net better for hands", 0);
+  FoldForest forest = forest_of(mesh, result.net);
+  improve(mesh, options, printed_scale(options, mesh, result.net), run, result.net, result.verdict, result.motion,
+          forest);
 }
 
 // The net that folds, or the one that comes closest, replaces the one found without regard to motion.
@@ -78,6 +161,11 @@ void find_net_that_folds(const Mesh& mesh, const CraftOptions& options, const Ru
 
 void find_net(const Mesh& mesh, const CraftOptions& options, const Run& run, CraftResult& result) {
   UnfoldOutcome unfolded = unfold_mesh(mesh, options.unfold, run);
+  if (!options.law && unfolded.ending == Ending::Found && may_improve(options, mesh)) {
+    UnfoldOptions better = options.unfold;
+    better.optimize = better_for(options, mesh, printed_scale(options, mesh, unfolded.unfolding));
+    unfolded = unfold_mesh(mesh, better, run);
+  }
   result.ending = unfolded.ending;
   result.net = std::move(unfolded.unfolding);
   result.verdict = std::move(unfolded.verdict);
@@ -89,6 +177,7 @@ void find_net(const Mesh& mesh, const CraftOptions& options, const Run& run, Cra
     result.why_no_motion = "there is no net in one piece";
   else
     find_net_that_folds(mesh, options, run, result);
+  improve_net(mesh, options, run, result);
 }
 
 std::string fold_text(const Mesh& mesh, const CraftOptions& options, const CraftResult& result) {
@@ -98,12 +187,20 @@ std::string fold_text(const Mesh& mesh, const CraftOptions& options, const Craft
   return write_fold(file);
 }
 
-std::string page_text(const CraftOptions& options, const CraftResult& result, const nlohmann::json& report) {
+// "assembled" of "NAME-assembled.png".
+std::string caption_of(const CraftOptions& options, const std::string& file) {
+  const std::size_t begin = options.name.size() + 1;
+  return file.substr(begin, file.size() - begin - 4);
+}
+
+std::string page_text(const Mesh& mesh, const CraftOptions& options, const CraftResult& result,
+                      const nlohmann::json& report) {
   ViewerInput page;
   page.title = options.name;
   page.linkage = linkage_of(result.net);
   page.report = report.dump();
   page.start = 1;  // the model, beside its net
+  if (result.kit && !result.kit->joints.empty() && result.motion) page.home = assembled(mesh, result.net);
   if (result.motion) {
     const PathProof& proof = result.motion->proof;
     page.path = result.motion->path;
@@ -112,6 +209,8 @@ std::string page_text(const CraftOptions& options, const CraftResult& result, co
     page.proof_note =
         fmt::format("{} pairs of panels examined over {} intervals of time", proof.pair_intervals, proof.intervals);
   }
+  for (const CraftFile& file : result.files)
+    if (file.name.ends_with(".png")) page.pictures.emplace_back(caption_of(options, file.name), file.bytes);
   for (const CraftFile& file : result.files) page.links.emplace_back(file.name, file.name);
   return viewer_page(page);
 }
@@ -128,11 +227,30 @@ void add_pages(const CraftOptions& options, CraftResult& result) {
   }
 }
 
+// The finished model, and its pieces apart.
+void add_pictures(const Mesh& mesh, const CraftOptions& options, CraftResult& result) {
+  const Linkage linkage = linkage_of(result.net);
+  PictureOptions picture;
+  picture.width = 900;
+  picture.height = 700;
+  picture.home = assembled(mesh, result.net);
+  result.files.push_back({options.name + "-assembled.png", render_png(linkage, goal(linkage), picture)});
+  picture.home = exploded(mesh, *result.kit);
+  result.files.push_back({options.name + "-exploded.png", render_png(linkage, goal(linkage), picture)});
+}
+
 }  // namespace
+
+HandWish hand_wish(std::string_view name) {
+  if (name == "none") return HandWish::None;
+  if (name == "page") return HandWish::Page;
+  if (name == "hands") return HandWish::Hands;
+  throw InvalidOption(fmt::format("optimize {} is not known: hands, page or none", name));
+}
 
 CraftResult craft(const Mesh& mesh, const CraftOptions& options, const Run& run) {
   CraftResult result;
-  if (options.parts || (options.law && components(mesh).count > 1))
+  if (options.parts || options.pieces || (options.law && components(mesh).count > 1))
     find_kit(mesh, options, run, result);
   else
     find_net(mesh, options, run, result);
@@ -144,14 +262,16 @@ CraftResult craft(const Mesh& mesh, const CraftOptions& options, const Run& run)
   if (result.kit) {
     layout.titles = part_titles(result.kit->parts.names, result.kit->pieces);
     layout.seams = seams_of(mesh, *result.kit);
+    layout.joints = joint_facets(mesh, *result.kit, layout.titles);
   }
   result.layout = lay_out_pages(result.net, folded_shape(mesh), layout, run);
   result.layout_verdict = verify_layout(result.layout.layout);
   add_pages(options, result);
+  if (result.kit && !result.kit->joints.empty()) add_pictures(mesh, options, result);
   result.files.push_back({options.name + ".fold", fold_text(mesh, options, result)});
   const nlohmann::json report = craft_report(mesh, result);
   result.files.push_back({"report.json", report.dump(2) + "\n"});
-  result.files.push_back({"index.html", page_text(options, result, report)});
+  result.files.push_back({"index.html", page_text(mesh, options, result, report)});
   return result;
 }
 
@@ -195,8 +315,14 @@ nlohmann::json craft_report(const Mesh& mesh, const CraftResult& result) {
       {"edges_under_5_mm", work.small},
       {"seams_without_tab", layout.tabs.omitted + layout.tabs.short_seams},
       {"pages_verified", result.layout_verdict.sound()},
+      {"hands", json_of(measure_for_hands(result.net, layout.scale))},
   };
   if (result.kit) report["pieces"] = parts_json(mesh, *result.kit);
+  if (result.kit && !result.kit->joints.empty()) {
+    report["joints"] = joints_json(*result.kit);
+    report["joints_verified"] = result.joint_defects.empty();
+    report["joints_too_small_for_text"] = layout.joints_unnamed;
+  }
   if (result.motion)
     report["motion"] = {{"kind", result.motion_kind},
                         {"verdict", name(result.motion->proof.verdict)},

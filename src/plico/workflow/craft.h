@@ -4,6 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "plico/fabricate/fabricate.h"
@@ -16,6 +17,10 @@
 
 namespace plico {
 
+enum class HandWish { None, Page, Hands };
+inline constexpr int kMostToImprove = 1500;  // faces
+HandWish hand_wish(std::string_view name);   // "none", "page", "hands"; throws InvalidOption
+
 struct CraftOptions {
   std::string name = "model";  // of the model: titles and file names
   std::string made_by;         // a JSON object for the key plico:report of the FOLD file; may be empty
@@ -25,6 +30,12 @@ struct CraftOptions {
   // Cut into parts that fold instead of one net, as segment_mesh() does; its motion and seed follow from `law` and
   // `unfold`.
   std::optional<SegmentOptions> parts;
+  // The parts are given, and where they are glued face to face, as shell_pieces() makes them. Not with `parts`.
+  std::optional<Segmentation> pieces;
+  std::vector<Joint> joints;
+  // Nets that fold straight, and any net when no motion is looked for, are then made better for hands
+  // (unfold/handy_folds.h) or for the page; meshes of more faces than kMostToImprove are left as they are.
+  HandWish wish = HandWish::Hands;
   UnfoldOptions unfold;
   LayoutOptions layout;
   DrawOptions draw;
@@ -46,12 +57,13 @@ struct CraftResult {
   std::string why_no_motion;     // empty with one
   LayoutResult layout;
   LayoutVerdict layout_verdict;
+  std::vector<Defect> joint_defects;  // of the joints of the kit
   // NAME.pdf, NAME.svg (NAME-1.svg, ... for several pages), NAME.dxf, NAME.fold (with the motion), index.html,
-  // report.json
+  // report.json; of a kit with joints also pictures, NAME-assembled.png and NAME-exploded.png
   std::vector<CraftFile> files;
 
   bool proven() const { return motion && motion->proof.verdict == PathVerdict::Free; }
-  bool sound() const { return verdict.valid() && layout_verdict.sound(); }
+  bool sound() const { return verdict.valid() && layout_verdict.sound() && joint_defects.empty(); }
 };
 
 CraftResult craft(const Mesh& mesh, const CraftOptions& options = {}, const Run& run = {});

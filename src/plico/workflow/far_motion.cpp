@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "plico/origami/approach.h"
+#include "plico/origami/elastic_start.h"
 #include "plico/origami/facets.h"
 #include "plico/workflow/plan_origami.h"
 
@@ -15,6 +16,7 @@ constexpr int kMostCuts = 6;            // of a path at its end, until the proof
 constexpr double kWorthCutting = 0.01;  // of the way: what facets must gain
 constexpr double kFarEnough = 0.98;     // of the way: then panels are not cut
 constexpr double kNearFlat = 0.3;       // of the way: then creases may also turn against their goal on the way
+constexpr double kPulledTo[] = {0.1, 0.3, 0.6};
 constexpr double kShort = radians(0.5);
 constexpr double kBends = 1e-9;  // radians
 constexpr int kMostNamed = 3;
@@ -91,6 +93,18 @@ std::string bends_note(const std::vector<double>& bends) {
                      bends.size(), most - bends.begin(), degrees(*most));
 }
 
+// Where no first step out of flat leads far, states pulled to shares of the goal may.
+void start_otherwise(const Linkage& linkage, const ApproachOptions& approach, const Run& run,
+                     ContinuationResult& found) {
+  for (const double share : kPulledTo) {
+    if (run.over()) return;
+    const ContinuationResult begun = start_elastically(linkage, {.share = share}, approach, run);
+    if (begun.path.waypoints.size() < 2) continue;
+    ContinuationResult far = approach_goal(linkage, begun.path, approach, run);
+    if (far.progress > found.progress + kWorthCutting) found = std::move(far);
+  }
+}
+
 FarMotion go_on(const Linkage& linkage, const FoldingPath& begun, const MotionOptions& options, const Run& run) {
   const double clearance = options.clearance > 0 ? options.clearance : default_clearance(linkage);
   ApproachOptions approach;
@@ -103,6 +117,7 @@ FarMotion go_on(const Linkage& linkage, const FoldingPath& begun, const MotionOp
     ContinuationResult free = approach_goal(linkage, begun, approach, run);
     if (free.progress > found.progress) found = std::move(free);
   }
+  if (starts_flat && found.progress < kNearFlat) start_otherwise(linkage, approach, run, found);
   FarMotion result;
   if (found.path.waypoints.size() > 1)
     result.motion = prove_as_far(linkage, found.path, MotionMethod::Continuation, clearance, run);

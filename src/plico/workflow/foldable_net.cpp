@@ -209,6 +209,19 @@ FoldableNet find_foldable_net(const Mesh& mesh, const FoldableNetOptions& option
   return result;
 }
 
+BetterNet better_foldable_net(const Mesh& mesh, const FoldForest& tree, const FoldableNetOptions& options,
+                              const OptimizeOptions& wish, const Run& run) {
+  const PanelKit kit = kit_of(mesh);
+  const double clearance = options.clearance > 0 ? options.clearance : default_clearance(loose_panels(kit));
+  const auto new_cost = [&] { return std::make_unique<SampledCost>(mesh, kit, options, clearance); };
+  OptimizeResult found = optimize_foldable_net(mesh, tree, new_cost, wish, run);
+  BetterNet better{std::move(found.forest), {}, {}, found.before, found.after};
+  const Linkage linkage = linkage_of(lay_flat(mesh, better.tree));
+  better.path = path_by(options.law, linkage);
+  better.proof = prove_path(linkage, better.path, {.clearance = clearance});
+  return better;
+}
+
 NetAndMotion fold_or_plan(const Mesh& mesh, const FoldableNetOptions& options, const Run& run) {
   NetAndMotion result{find_foldable_net(mesh, options, run.deadline ? leaving_a_quarter(run) : run), {}};
   if (mesh.num_faces() == 1 || !result.net.crossing.empty()) return result;

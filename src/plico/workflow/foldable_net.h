@@ -10,6 +10,7 @@
 #include "plico/fold/folding_path.h"
 #include "plico/fold/unfolding.h"
 #include "plico/motion/branch_sampler.h"
+#include "plico/unfold/optimize.h"
 #include "plico/verify/path.h"
 #include "plico/workflow/plan_motion.h"
 
@@ -51,6 +52,16 @@ struct NetAndMotion {
   std::optional<Motion> motion;  // proven or not; none for a single panel, several parts or a mesh that crosses itself
 };
 NetAndMotion fold_or_plan(const Mesh& mesh, const FoldableNetOptions& options = {}, const Run& run = {});
+
+// A better net, by unfold/optimize.h, of one whose motion by options.law is proven: the new one's is, too.
+struct BetterNet {
+  FoldForest tree;
+  FoldingPath path;
+  PathProof proof;  // Free
+  NetFeatures before, after;
+};
+BetterNet better_foldable_net(const Mesh& mesh, const FoldForest& tree, const FoldableNetOptions& options,
+                              const OptimizeOptions& wish, const Run& run = {});
 
 // Faces that penetrate each other in the mesh itself, smaller first, ascending; never of two components. Neighbours do
 // not count: the hinge of some trees keeps them apart. `clearance` in units, 0: 1e-3 of the mean side length.

@@ -35,6 +35,28 @@ void join_nets(const Mesh& mesh, Kit& result) {
   result.verdict = verify_net(result.net, mesh);
 }
 
+double length_around(const std::vector<Vec3>& polygon) {
+  double sum = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) sum += (polygon[(i + 1) % polygon.size()] - polygon[i]).norm();
+  return sum;
+}
+
+// Axes of a plane polygon: origin at the first corner, x along the first side, z its normal (Newell).
+Pose frame_of(const std::vector<Vec3>& polygon) {
+  Vec3 normal = Vec3::Zero();
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    normal += (polygon[i] - polygon[0]).cross(polygon[(i + 1) % polygon.size()] - polygon[0]);
+  Pose frame = Pose::Identity();
+  const Vec3 z = normal.normalized();
+  const Vec3 side = polygon[1] - polygon[0];
+  const Vec3 x = (side - side.dot(z) * z).normalized();
+  frame.linear().col(0) = x;
+  frame.linear().col(1) = z.cross(x);
+  frame.linear().col(2) = z;
+  frame.translation() = polygon[0];
+  return frame;
+}
+
 }  // namespace
 
 int Kit::num_proven() const {
@@ -61,8 +83,9 @@ Kit put_together(const Mesh& mesh, Segmentation parts, std::vector<ProvenPart> p
   return result;
 }
 
-std::vector<int> assembly_steps(const Mesh& mesh, const Segmentation& parts) {
-  const std::vector<SeamLength> seams = seam_lengths(mesh, parts);
+std::vector<int> assembly_steps(const Mesh& mesh, const Segmentation& parts, const std::vector<Joint>& joints) {
+  std::vector<SeamLength> seams = seam_lengths(mesh, parts);
+  for (const Joint& joint : joints) seams.push_back({joint.first, joint.second, length_around(joint.polygon)});
   std::vector<int> step(parts.num_parts(), 0);
   std::vector<double> area_of(parts.num_parts(), 0), joined(parts.num_parts(), 0);
   for (FaceId f : mesh.faces()) area_of[parts.part[f]] += area(mesh, f);
@@ -79,6 +102,30 @@ std::vector<int> assembly_steps(const Mesh& mesh, const Segmentation& parts) {
     }
   }
   return step;
+}
+
+std::vector<Pose> assembled(const Mesh& mesh, const Unfolding& net) {
+  const Linkage linkage = linkage_of(net);
+  const std::vector<Pose> folded = folding_map(linkage, goal(linkage));
+  std::vector<Pose> home;
+  for (int p = 0; p < linkage.num_panels(); ++p) {
+    std::vector<Vec3> here, there;
+    for (const Vec3& corner : linkage.panels[p]) here.push_back(folded[p] * corner);
+    for (int v : mesh.corners(FaceId(net.mesh_face[p]))) there.push_back(mesh.point(VertexId(v)));
+    home.push_back(frame_of(there) * frame_of(here).inverse());
+  }
+  return home;
+}
+
+std::vector<Pose> exploded(const Mesh& mesh, const Kit& kit, double share) {
+  const Vec3 middle = bounding_box(mesh).center();
+  std::vector<Eigen::AlignedBox3d> boxes(kit.parts.num_parts());
+  for (FaceId f : mesh.faces())
+    for (int v : mesh.corners(f)) boxes[kit.parts.part[f]].extend(mesh.point(VertexId(v)));
+  std::vector<Pose> poses = assembled(mesh, kit.net);
+  for (std::size_t p = 0; p < poses.size(); ++p)
+    poses[p].pretranslate(share * (boxes[kit.parts.part[kit.net.mesh_face[p]]].center() - middle));
+  return poses;
 }
 
 }  // namespace plico

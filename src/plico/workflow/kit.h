@@ -11,6 +11,13 @@
 
 namespace plico {
 
+// Two facets of different parts that are glued face to face, where they touch.
+struct Joint {
+  int first = 0, second = 0;            // parts
+  int first_face = 0, second_face = 0;  // of the mesh, turned to each other
+  std::vector<Vec3> polygon;            // where they touch: convex, counter-clockwise seen from outside the first
+};
+
 struct Kit {
   Ending ending = Ending::Exhausted;  // Found: every part is proven
   Segmentation parts;
@@ -18,7 +25,9 @@ struct Kit {
   Unfolding net;                 // of the whole mesh, all parts side by side
   NetVerdict verdict;            // of `net`
   std::vector<std::vector<int>>
-      pieces;                      // of every part: its numbers in net.part, one unless it has no net in one piece
+      pieces;  // of every part: its numbers in net.part, one unless it has no net in one piece
+  std::vector<Joint> joints;
+  std::vector<int> mirror;         // the part that is the mirror image of each, or itself, -1 for none; may be empty
   std::vector<std::string> notes;  // what was decided on the way, or could not be done; sentences
 
   int num_proven() const;
@@ -31,7 +40,13 @@ Kit make_kit(const Mesh& mesh, Segmentation parts, const ProvePartOptions& optio
 Kit put_together(const Mesh& mesh, Segmentation parts, std::vector<ProvenPart> proven, const Run& run = {});
 
 // The order to build in: the largest part first, then always the one with the longest seam to what stands; parts that
-// touch nothing that stands begin anew. The step of every part, from 1.
-std::vector<int> assembly_steps(const Mesh& mesh, const Segmentation& parts);
+// touch nothing that stands begin anew. A joint counts as a seam around it. The step of every part, from 1.
+std::vector<int> assembly_steps(const Mesh& mesh, const Segmentation& parts, const std::vector<Joint>& joints = {});
+
+// Where pieces are when they are put together: the motion that carries each panel of `net`, folded in its place on the
+// sheet, to its face of the mesh. Equal for all panels of a piece that folds as it should.
+std::vector<Pose> assembled(const Mesh& mesh, const Unfolding& net);
+// The same with parts moved apart from the middle of the mesh, by `share` of their distance from it.
+std::vector<Pose> exploded(const Mesh& mesh, const Kit& kit, double share = 1);
 
 }  // namespace plico

@@ -12,7 +12,7 @@
 #include "plico/fold/linkage.h"
 #include "plico/io/pattern/pattern_file.h"
 #include "plico/io/text/xml_text.h"
-#include "plico/workflow/plan_origami.h"
+#include "plico/workflow/plan_drawn.h"
 
 namespace plico {
 namespace {
@@ -118,14 +118,15 @@ std::optional<PatternFile> read_row(std::string_view bytes, const DrawingOptions
 }
 
 void plan_row(FoldFile& file, const Linkage& linkage, const MotionOptions& options, const Run& run, GalleryRow& row) {
-  const MotionOutcome outcome = plan_origami(file.net.sheet, options, run);
+  const MotionOutcome outcome = plan_drawn(file.net.sheet, options, run);
   row.planned = true;
   row.ending = outcome.ending;
   row.motion_notes = outcome.notes;
   row.proven = outcome.proven();
   row.progress = outcome.motions.empty() ? 0 : outcome.progress;
   if (outcome.motions.empty()) return;
-  set_path(file, linkage, outcome.motions.front().path);
+  if (outcome.sheet) set_sheet(file, *outcome.sheet);
+  set_path(file, outcome.sheet ? make_linkage(file.net.sheet) : linkage, outcome.motions.front().path);
   row.folded_svg = folded_thumbnail(file.net.sheet, file.path_points.back());
 }
 

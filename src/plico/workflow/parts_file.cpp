@@ -70,7 +70,7 @@ const std::string* value_of(const FoldFile& file, const std::string& key) {
 Json parts_json(const Mesh& mesh, const Kit& result) {
   const std::vector<std::vector<FaceId>> faces = faces_of_parts(result.parts);
   const std::vector<SeamLength> seams = seam_lengths(mesh, result.parts);
-  const std::vector<int> step = assembly_steps(mesh, result.parts);
+  const std::vector<int> step = assembly_steps(mesh, result.parts, result.joints);
   Json list = Json::array();
   for (int i = 0; i < result.parts.num_parts(); ++i) {
     const ProvenPart& part = result.part[i];
@@ -84,6 +84,7 @@ Json parts_json(const Mesh& mesh, const Kit& result) {
                     {"step", step[i]},
                     {"proven", part.proven()},
                     {"motion", part_motion_json(part)}});
+    if (!result.mirror.empty()) list.back()["mirror"] = result.mirror[i] < 0 ? Json() : Json(result.mirror[i]);
   }
   return list;
 }

@@ -11,7 +11,8 @@
 namespace plico {
 
 // One object a part: id, name, faces (of the mesh), area, pieces (numbers in faces_plico:part), size (of its net, as
-// laid out), neighbors with the length of their seams, step of assembly, proven, motion. Units are the mesh's.
+// laid out), neighbors with the length of their seams, step of assembly, proven, motion, and mirror (the part that is
+// its image) when that was asked for. Units are the mesh's.
 nlohmann::json parts_json(const Mesh& mesh, const Kit& result);
 
 // The nets side by side, folded form and all. Numbers of seams are equal on both edges that are glued.
@@ -20,8 +21,8 @@ FoldFile parts_file(const Mesh& mesh, const Kit& result);
 // The net of one part with its motion; its mesh numbers are those of the part.
 FoldFile part_motion_file(const ProvenPart& part);
 
-// What the parts are called on paper, in the order of the net's parts: a name of one or two characters is its id, longer
-// ones get a letter; a part in several pieces, "A.1", "A.2".
+// What the parts are called on paper, in the order of the net's parts: a name of one or two characters is its id,
+// longer ones get a letter; a part in several pieces, "A.1", "A.2".
 std::vector<PartTitle> part_titles(const std::vector<std::string>& names, const std::vector<std::vector<int>>& pieces);
 
 // The number of every sheet edge that is glued to another part, 0 of others: those of the key edges_plico:seam.

@@ -62,8 +62,8 @@ struct MotionOutcome {
   std::vector<Motion> motions;
   double progress = 1;                 // with loops: of the way to the goal, of the motion
   std::vector<std::string> notes;      // with loops: what stood in the way, or was done to get there; sentences
-  std::optional<CreasePattern> sheet;  // with loops: that the motions fold, when panels of the given one were cut
-  std::vector<double> bends;           // then: of each panel of the given sheet, radians at most; 0 stays flat
+  std::optional<CreasePattern> sheet;  // with loops: that the motions fold, when panels were cut or vertices settled
+  std::vector<double> bends;           // panels cut: of each given one, radians at most; 0 stays flat
   bool proven() const { return !motions.empty() && motions.front().proof.verdict == PathVerdict::Free; }
 };
 

@@ -10,8 +10,11 @@
 #include "plico/base/error.h"
 #include "plico/mesh/measures.h"
 #include "plico/segment/clusters.h"
+#include "plico/segment/coarse.h"
+#include "plico/segment/mirror.h"
 #include "plico/segment/must_part.h"
 #include "plico/segment/necks.h"
+#include "plico/segment/rearrange.h"
 #include "plico/unfold/flat_faces.h"
 #include "plico/unfold/heuristics.h"
 #include "plico/unfold/overlap.h"
@@ -38,12 +41,15 @@ struct Piece {
   std::vector<int> faces;  // ascending
   int origin = 0;          // the part it was cut from when that failed
   ProvenPart proof;
+  bool whole = false;  // nothing of it can be cut off, since its faces are kept together
 };
 
 class Segmenter {
  public:
   Segmenter(const Mesh& mesh, const SegmentOptions& options, const Run& run)
-      : mesh_(mesh), options_(options), run_(run), graph_(mesh) {}
+      : mesh_(mesh), options_(options), run_(run), graph_(mesh), apart_(pairs_apart(options.faces)) {
+    hold_together(graph_, options.faces);
+  }
 
   Kit run() {
     make_pieces(first_cut());
@@ -54,7 +60,7 @@ class Segmenter {
 
  private:
   std::vector<int> first_cut() {
-    if (options_.method == SegmentMethod::Necks) return cut_at_necks(graph_, certain_cuts(), neck_options(), run_);
+    if (options_.method == SegmentMethod::Necks) return necks_cut();
     if (options_.method == SegmentMethod::Clusters) learn();
     std::vector<int> part = components(mesh_).of_face;
     const int wanted = options_.wish == PartsWish::Exactly ? options_.parts : kGivenParts;
@@ -68,6 +74,28 @@ class Segmenter {
     for (std::size_t i = 0; i < cut.size(); ++i)
       if (cut[i] > 0) part[largest->second[i]] = count + cut[i] - 1;
     return part;
+  }
+
+  std::vector<int> necks_cut() {
+    const std::vector<int> start = certain_cuts();
+    check_kept(options_.faces, start);
+    if (const auto images = images_to_keep(start)) return cut_mirrored(graph_, start, *images, neck_options(), run_);
+    if (apart_.empty() && !options_.faces.any()) return cut_limbs_of(mesh_, graph_, neck_options(), run_);
+    return cut_limbs(graph_, start, neck_options(), run_);
+  }
+
+  // Of every face, when both sides are to be alike and can be.
+  std::optional<std::vector<int>> images_to_keep(const std::vector<int>& start) {
+    if (options_.symmetric == Symmetry::Off) return std::nullopt;
+    images_ = mirror_images(mesh_);
+    if (!images_ && options_.symmetric == Symmetry::On)
+      throw InvalidInput("segment/not-symmetric", "no plane maps the mesh onto itself", {},
+                         "leave --symmetric out, or use auto");
+    if (!images_) return std::nullopt;
+    const std::vector<int> partner = mirror_partners(start, *images_);
+    if (std::count(partner.begin(), partner.end(), -1) == 0) return images_;
+    notes_.emplace_back("what must come apart is not symmetric, so the parts are not");
+    return std::nullopt;
   }
 
   // Clusters or random parts of connected faces.
@@ -97,13 +125,18 @@ class Segmenter {
   // Parts inside components, and apart what runs through itself.
   std::vector<int> certain_cuts() {
     std::vector<int> part = components(mesh_).of_face;
-    if (options_.prove.motion == PartMotion::None) return part;
-    run_.report("looking for faces that run through each other", 0);
-    apart_ = crossing_faces(mesh_);
+    if (options_.prove.motion != PartMotion::None) add_crossings();
     if (apart_.empty()) return part;
-    notes_.push_back(fmt::format("one piece cannot fold: {} pairs of faces run through each other ({})", apart_.size(),
-                                 list_of(apart_)));
     return part_pairs(graph_, std::move(part), apart_);
+  }
+
+  void add_crossings() {
+    run_.report("looking for faces that run through each other", 0);
+    const std::vector<FacePair> crossings = crossing_faces(mesh_);
+    if (crossings.empty()) return;
+    notes_.push_back(fmt::format("one piece cannot fold: {} pairs of faces run through each other ({})",
+                                 crossings.size(), list_of(crossings)));
+    apart_.insert(apart_.end(), crossings.begin(), crossings.end());
   }
 
   NeckCutOptions neck_options() const {
@@ -143,13 +176,14 @@ class Segmenter {
   }
 
   int first_failure() const {
-    const auto at = std::find_if(pieces_.begin(), pieces_.end(), [](const Piece& p) { return !p.proof.proven(); });
+    const auto at =
+        std::find_if(pieces_.begin(), pieces_.end(), [](const Piece& p) { return !p.proof.proven() && !p.whole; });
     return at == pieces_.end() ? -1 : static_cast<int>(at - pieces_.begin());
   }
 
   void answer_failures() {
     for (int p = first_failure(); p >= 0 && !run_.over(); p = first_failure())
-      if (!join_small(p)) split(p);
+      if (!join_small(p) && !split(p)) pieces_[p].whole = true;
   }
 
   bool join_small(int p) {
@@ -160,7 +194,8 @@ class Segmenter {
     return false;
   }
 
-  // One side of a cut in two: at the best neck, however small, or as the method has it.
+  // One side of a cut in two: at the best neck, however small, or as the method has it; empty when all is kept
+  // together.
   std::vector<int> side_of_cut(const std::vector<int>& faces) {
     std::vector<int> side;
     if (options_.method != SegmentMethod::Necks) {
@@ -170,23 +205,25 @@ class Segmenter {
     }
     if (side.empty()) {  // clusters may be empty
       const std::optional<Neck> neck = best_neck(graph_, faces, {.min_area = 0});
-      PLICO_ASSERT(neck.has_value());
-      side = neck->side;
+      PLICO_ASSERT(neck.has_value() || !options_.faces.keep.empty());
+      if (neck) side = neck->side;
     }
     return side;
   }
 
-  void split(int p) {
+  bool split(int p) {
     const std::vector<int> side = side_of_cut(pieces_[p].faces);
+    if (side.empty()) return false;
     std::vector<int> rest;
     std::set_difference(pieces_[p].faces.begin(), pieces_[p].faces.end(), side.begin(), side.end(),
                         std::back_inserter(rest));
     const int origin = pieces_[p].origin;
     pieces_.erase(pieces_.begin() + p);
-    pieces_.push_back({rest, origin, {}});
-    pieces_.push_back({side, origin, {}});
+    pieces_.push_back({rest, origin, {}, false});
+    pieces_.push_back({side, origin, {}, false});
     was_split_.insert(origin);
     prove_from(pieces_.size() - 2);
+    return true;
   }
 
   // Seams between pieces, the dearest first.
@@ -222,7 +259,7 @@ class Segmenter {
       failed_.insert(faces);
       return false;
     }
-    pieces_[p] = {std::move(faces), pieces_[p].origin, std::move(proof)};
+    pieces_[p] = {std::move(faces), pieces_[p].origin, std::move(proof), false};
     pieces_.erase(pieces_.begin() + q);
     return true;
   }
@@ -256,6 +293,11 @@ class Segmenter {
     if (options_.wish == PartsWish::Exactly && parts.num_parts() != options_.parts)
       notes_.push_back(fmt::format("{} parts were asked for, there are {}", options_.parts, parts.num_parts()));
     Kit result = put_together(mesh_, std::move(parts), std::move(proofs), run_);
+    if (images_) {
+      result.mirror = mirror_partners(result.parts.part, *images_);
+      if (const auto lone = std::count(result.mirror.begin(), result.mirror.end(), -1); lone > 0)
+        notes_.push_back(fmt::format("{} parts have no mirror image, as some did not fold", lone));
+    }
     result.notes = std::move(notes_);
     return result;
   }
@@ -267,6 +309,7 @@ class Segmenter {
   std::optional<Foldability> foldability_;  // for clusters
   std::uint64_t cuts_made_ = 0;             // by clusters or at random: each has a random stream of its own
   std::vector<FacePair> apart_;             // certainly not in one part
+  std::optional<std::vector<int>> images_;  // mirrored, of every face
   std::vector<Piece> pieces_;
   std::set<std::vector<int>> failed_;  // sets of faces that have no proof: the ledger
   std::set<int> was_split_;            // origins
@@ -296,6 +339,11 @@ Kit segment_mesh(const Mesh& mesh, const SegmentOptions& options, const Run& run
     require(options.parts >= least && options.parts <= mesh.num_faces(), "parts", options.parts,
             fmt::format("in [{}, {}], the components and the faces of the mesh", least, mesh.num_faces()));
   }
+  check(options.faces, mesh.num_faces());
+  if (options.faces.any() && options.method != SegmentMethod::Necks)
+    throw InvalidOption("faces are kept together or apart by --method necks only");
+  if (options.symmetric != Symmetry::Off && (options.faces.any() || options.method != SegmentMethod::Necks))
+    throw InvalidOption("parts are symmetric by --method necks only, without --keep and --apart");
   if (options.method == SegmentMethod::Clusters)
     require(mesh.num_faces() <= kMostForClusters, "faces", mesh.num_faces(),
             fmt::format("at most {} for clusters, whose matrix is dense", kMostForClusters));

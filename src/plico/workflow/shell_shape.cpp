@@ -35,6 +35,14 @@ ShellsClaim claim_of(const std::vector<ShapePart>& parts, const ShellOptions& op
   return claim;
 }
 
+ShellsClaim surfaces_of(const Shells& shells) {
+  ShellsClaim claim;
+  for (const Shell& shell : shells.shells) claim.shells.push_back({shell_surface(shell.body), {}});
+  for (const ShellContact& contact : shells.contacts)
+    claim.contacts.push_back({contact.first, contact.second, contact.plane, contact.polygon});
+  return claim;
+}
+
 }  // namespace
 
 JudgedShells shell_shape(const std::vector<ShapePart>& parts, const ShellOptions& options, const Run& run) {
@@ -42,6 +50,14 @@ JudgedShells shell_shape(const std::vector<ShapePart>& parts, const ShellOptions
   result.shells = disjoint_shells(parts, options, run);
   // Also when somebody stopped the search: what is written is judged.
   result.verdict = verify_shells(claim_of(parts, options, result.shells), {.seed = options.seed});
+  return result;
+}
+
+JudgedRemeshing remesh_shells(const Shells& shells, const RemeshOptions& options, const Run& run) {
+  JudgedRemeshing result;
+  result.remeshing = remesh(shells, options, run);
+  const ShellsClaim before = surfaces_of(shells), after = surfaces_of(result.remeshing.shells);
+  result.verdict = verify_remeshed_shells({before, after, options.max_growth});
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "plico/convex/remesh.h"
 #include "plico/convex/shells.h"
 #include "plico/io/mesh/obj.h"
 #include "plico/verify/shells.h"
@@ -16,6 +17,14 @@ struct JudgedShells {
 
 // disjoint_shells(), then verify_shells() on its triangles, planes, contacts and loss.
 JudgedShells shell_shape(const std::vector<ShapePart>& parts, const ShellOptions& options, const Run& run);
+
+struct JudgedRemeshing {
+  Remeshing remeshing;
+  ShellsVerdict verdict;  // against the shells as they were
+};
+
+// remesh(), then verify_remeshed_shells().
+JudgedRemeshing remesh_shells(const Shells& shells, const RemeshOptions& options, const Run& run);
 
 // One object a shell, named after its part.
 std::vector<ObjObject> shell_objects(const std::vector<ShapePart>& parts, const Shells& shells);

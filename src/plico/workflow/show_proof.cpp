@@ -1,5 +1,7 @@
 #include "plico/workflow/show_proof.h"
 
+#include <fmt/format.h>
+
 namespace plico {
 namespace {
 
@@ -19,6 +21,16 @@ ProofStatus status_of(const PathProof& proof) {
 }
 
 }  // namespace
+
+void show_proof(ViewerInput& page, const ChainMotionVerdict& verdict) {
+  page.proof = verdict.free()                             ? ProofStatus::Proven
+               : verdict.verdict == PathVerdict::Collides ? ProofStatus::Collides
+               : verdict.interrupted                      ? ProofStatus::Unchecked
+                                                          : ProofStatus::Undecided;
+  page.proof_note = fmt::format("{} distances of panels and piles, each good for as long as it lasts", verdict.steps);
+  if (verdict.verdict == PathVerdict::Collides)
+    page.collisions.push_back({verdict.from, verdict.to, verdict.panel_a, verdict.panel_b});
+}
 
 void show_proof(ViewerInput& page, const PathProof& proof) {
   page.proof = status_of(proof);

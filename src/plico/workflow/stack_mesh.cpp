@@ -15,12 +15,6 @@ namespace {
 constexpr char kChainKey[] = "plico:chain";
 constexpr double kPrintGap = 0.02;  // of the thickness
 
-SquareGraph graph_of(const VoxelShell& shell) {
-  SquareGraph graph;
-  for (const ShellSquare& square : shell.squares) graph.neighbours.push_back(square.neighbor);
-  return graph;
-}
-
 // The strip, vertex by vertex beside its place in the shape.
 class StripBuilder {
  public:
@@ -111,7 +105,30 @@ double shape_size(const VoxelShell& shell) {
   return (high - low).sum();
 }
 
+// A walk that ends beside its start may be cut anywhere.
+bool is_closed(const SquareGraph& graph, const std::vector<int>& walk) {
+  return std::ranges::count(graph.neighbours[walk.front()], walk.back()) > 0;
+}
+
 }  // namespace
+
+SquareGraph graph_of(const VoxelShell& shell) {
+  SquareGraph graph;
+  for (const ShellSquare& square : shell.squares) graph.neighbours.push_back(square.neighbor);
+  return graph;
+}
+
+StackedChain stacked_chain(const VoxelMesh& voxels, CompactResult found, double thickness) {
+  StackedChain chain;
+  chain.found = std::move(found);
+  chain.claim = claim_of(voxels, chain.found.best, thickness);
+  chain.verdict = verify_chain(chain.claim);
+  chain.compactness = chain.verdict.size_sum / shape_size(voxels.shell);
+  chain.volume_ratio = chain.verdict.volume / static_cast<double>(voxels.solid.grid.count());
+  chain.slots_per_panel =
+      static_cast<double>(chain.found.best.box.slots()) / static_cast<double>(chain.found.best.path.size());
+  return chain;
+}
 
 StackedChain stack_voxels(const VoxelMesh& voxels, const std::vector<int>& cycle, const StackMeshOptions& options,
                           const Run& run) {
@@ -120,15 +137,9 @@ StackedChain stack_voxels(const VoxelMesh& voxels, const std::vector<int>& cycle
   const SquareGraph graph = graph_of(voxels.shell);
   const StackBox base =
       options.width > 0 ? StackBox{options.width, options.depth, 0} : best_base(graph.size(), options.thickness);
-  StackedChain chain;
-  chain.found =
-      compact_stack(graph, cycle, true, {.seed = options.seed, .width = base.width, .depth = base.depth}, run);
-  chain.claim = claim_of(voxels, chain.found.best, options.thickness);
-  chain.verdict = verify_chain(chain.claim);
-  chain.compactness = chain.verdict.size_sum / shape_size(voxels.shell);
-  chain.volume_ratio = chain.verdict.volume / static_cast<double>(voxels.solid.grid.count());
-  chain.slots_per_panel = static_cast<double>(chain.found.best.box.slots()) / graph.size();
-  return chain;
+  const CompactOptions how{
+      .seed = options.seed, .width = base.width, .depth = base.depth, .exchanges = options.exchanges};
+  return stacked_chain(voxels, compact_stack(graph, cycle, is_closed(graph, cycle), how, run), options.thickness);
 }
 
 FoldFile chain_file(const ChainClaim& claim) {

@@ -12,8 +12,9 @@ namespace plico {
 
 struct StackMeshOptions {
   std::uint64_t seed = 1;
-  double thickness = 0.1;    // of the panels, in voxel sides, in (0, 0.5)
-  int width = 0, depth = 0;  // of the base in panels; 0: the base with the least W + D + H
+  double thickness = 0.1;                       // of the panels, in voxel sides, in (0, 0.5)
+  int width = 0, depth = 0;                     // of the base in panels; 0: the base with the least W + D + H
+  long exchanges = CompactOptions().exchanges;  // of squares, tried where cuts alone are not enough
 };
 
 struct StackedChain {
@@ -23,9 +24,14 @@ struct StackedChain {
   double compactness = 0, volume_ratio = 0, slots_per_panel = 0;  // R14, held against the voxels
 };
 
-// `cycle` visits every square of the shell once. Throws InvalidOption.
+// `cycle` visits every square of the shell once; it need not close. Throws InvalidOption.
 StackedChain stack_voxels(const VoxelMesh& voxels, const std::vector<int>& cycle, const StackMeshOptions& options,
                           const Run& run = {});
+
+// The same for a stack that is there already, of the chain in its path.
+StackedChain stacked_chain(const VoxelMesh& voxels, CompactResult found, double thickness);
+
+SquareGraph graph_of(const VoxelShell& shell);
 
 // The claim as a FOLD file: the strip as key frame, the shape as folded form, the rest under plico:chain; and back.
 // chain_claim() is empty for a file of another kind and throws InvalidInput ("chain/file") for a broken one.

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "plico/base/error.h"
+#include "plico/stack/decide_walk.h"
 
 namespace plico {
 namespace {
@@ -34,6 +37,22 @@ void refine(Voxelization& solid, int factor) {
   solid.filled *= each;
 }
 
+// Where the search gave up, an answer by SAT: a cycle, or the proof that there is none, and then a path.
+void decide(const VoxelMesh& voxels, JudgedCycle& cycle, const Run& run) {
+  const SquareGraph graph = graph_of(voxels.shell);
+  WalkDecision decision = decide_walk(graph, Walk::Cycle, run);
+  cycle.found.ending = decision.ending;
+  cycle.found.cycle = std::move(decision.squares);
+  if (decision.ending == Ending::Found) cycle.found.left = 1;
+  if (decision.ending != Ending::Exhausted) return;
+  cycle.proven_none = true;
+  decision = decide_walk(graph, Walk::Path, run);
+  cycle.path = std::move(decision.squares);
+  if (decision.ending != Ending::Found) cycle.found.ending = decision.ending;
+}
+
+constexpr long kTriesBeforeDeciding = 200'000;
+
 }  // namespace
 
 VoxelMesh voxel_mesh(const PolygonSoup& soup, const Resolution& resolution, Pairing pairing) {
@@ -57,12 +76,38 @@ VoxelMesh voxel_mesh(const PolygonSoup& soup, const Resolution& resolution, Pair
 }
 
 JudgedCycle judged_cycle(const VoxelMesh& voxels, const CycleOptions& options, const Run& run) {
-  JudgedCycle result{find_hamiltonian_cycle(voxels.shell, options, run), {}};
-  if (result.found.ending != Ending::Found) return result;
+  const bool small = voxels.shell.size() <= JudgedCycle::kMostDecided;
+  CycleOptions tries = options;
+  if (small) tries.max_tries = std::min(tries.max_tries, kTriesBeforeDeciding);
+  JudgedCycle result;
+  result.found = find_hamiltonian_cycle(voxels.shell, tries, run);
+  if (small && result.found.ending == Ending::Exhausted) decide(voxels, result, run);
+  if (result.walk().empty()) return result;
   std::vector<ShellSquare> walk;
-  for (int s : result.found.cycle) walk.push_back(voxels.shell.squares[s]);
-  result.verdict = verify_shell_cycle(voxels.solid.grid, voxels.pairing, walk);
+  for (int s : result.walk()) walk.push_back(voxels.shell.squares[s]);
+  const auto verify = result.path.empty() ? verify_shell_cycle : verify_shell_path;
+  result.verdict = verify(voxels.solid.grid, voxels.pairing, walk);
   return result;
+}
+
+std::string no_cycle_text(const VoxelMesh& voxels, const JudgedCycle& cycle) {
+  if (!cycle.proven_none)
+    return fmt::format("no cycle through all {} squares was found, {} cycles are left; with --refine 2 there is one",
+                       voxels.shell.size(), cycle.found.left);
+  if (cycle.path.empty() && cycle.found.ending != Ending::Exhausted)
+    return fmt::format("no cycle visits each of the {} squares once, which is proven; no time was left for a path",
+                       voxels.shell.size());
+  if (cycle.path.empty())
+    return fmt::format("no walk visits each of the {} squares once, which is proven; with --refine 2 there is one",
+                       voxels.shell.size());
+  return fmt::format("no cycle visits each of the {} squares once, which is proven; a path that does not close does",
+                     voxels.shell.size());
+}
+
+SquareGraph graph_of(const VoxelShell& shell) {
+  SquareGraph graph;
+  for (const ShellSquare& square : shell.squares) graph.neighbours.push_back(square.neighbor);
+  return graph;
 }
 
 }  // namespace plico

@@ -7,6 +7,7 @@
 #include "plico/base/run.h"
 #include "plico/mesh/soup.h"
 #include "plico/stack/hamiltonian_cycle.h"
+#include "plico/stack/path_exchange.h"
 #include "plico/stack/voxelize.h"
 #include "plico/verify/shell_cycle.h"
 
@@ -32,11 +33,23 @@ struct VoxelMesh {
 // InvalidOption unless one resolution is given.
 VoxelMesh voxel_mesh(const PolygonSoup& soup, const Resolution& resolution, Pairing pairing = Pairing::Solid);
 
-// The search for a cycle, and what the judge says about it (no problem, and not judged, when none was found).
+// The search for a cycle, and what the judge says about it (no problem, and not judged, when none was found). Of at
+// most kMostDecided squares it is decided whether there is one, and a path is found where there is none.
 struct JudgedCycle {
+  static constexpr int kMostDecided = 200;
+
   CycleResult found;
-  CycleVerdict verdict;
+  CycleVerdict verdict;      // on the cycle, or on the path
+  bool proven_none = false;  // there is no cycle
+  std::vector<int> path;     // then a walk through every square that does not close; empty: there is none either
+
+  const std::vector<int>& walk() const { return found.cycle.empty() ? path : found.cycle; }
 };
 JudgedCycle judged_cycle(const VoxelMesh& voxels, const CycleOptions& options, const Run& run = {});
+
+// Why there is no cycle, and what to do about it: a sentence.
+std::string no_cycle_text(const VoxelMesh& voxels, const JudgedCycle& cycle);
+
+SquareGraph graph_of(const VoxelShell& shell);
 
 }  // namespace plico

@@ -236,6 +236,17 @@ TEST(Page, SizesByNameAndByNumbers) {
   EXPECT_THROW(paper_size("x20"), InvalidOption);
 }
 
+TEST(Page, IsoSheetsHalveAndMarginsDifferBySide) {
+  EXPECT_EQ(paper_size("A0"), Vec2(841, 1189));
+  EXPECT_EQ(paper_size("a5"), Vec2(148, 210));
+  EXPECT_EQ(paper_size("B4"), Vec2(250, 353));
+  const Margins m = parse_margins("8,12mm,2cm,1");
+  EXPECT_EQ(m.low(), Vec2(1, 20));
+  EXPECT_EQ(m.high(), Vec2(12, 8));
+  EXPECT_EQ(printable({{100, 100}, m}), Vec2(87, 72));
+  EXPECT_THROW(parse_margins("1,2,3"), InvalidOption);
+}
+
 TEST(Marks, EverySeamHasTwoStrokesAndEveryPartASquare) {
   LayoutOptions options = of_longest(40);
   options.marks = {true, true};

@@ -20,16 +20,40 @@ PolygonSoup with_points(const Mesh& mesh, const std::vector<Vec3>& points) {
 
 TEST(Inflate, HalfOfTheHyperbolicVerticesGoWithinTheGrowthAllowed) {
   const Mesh bird = small_bird();
-  const Inflation result = inflate(bird);
+  const Inflation result = inflate(bird, {.stronger = {}});
   const InflationVerdict verdict = verify_inflation(bird, with_points(bird, result.points), {}, 0.05);
   EXPECT_TRUE(verdict.valid());
   EXPECT_LE(2 * verdict.hyperbolic, verdict.hyperbolic_before);
 }
 
+TEST(Inflate, TheBestLevelWithinTheLimitIsKept) {
+  const Mesh bird = small_bird();
+  const Inflation early = inflate(bird, {.stronger = {}, .pressure = 0.02});
+  const Inflation late = inflate(bird, {.stronger = {}, .pressure = 0.2});
+  EXPECT_LE(late.hyperbolic, early.hyperbolic);
+  EXPECT_EQ(late.hyperbolic, count_hyperbolic(Mesh(with_points(bird, late.points))));
+}
+
+TEST(Inflate, AStrongerSkinIsTakenOnlyWhenItDoesBetter) {
+  const Mesh bird = small_bird();
+  const Inflation one = inflate(bird, {.stronger = {}, .pressure = 0.02});
+  const Inflation several = inflate(bird, {.stronger = {8}, .pressure = 0.02});
+  EXPECT_LE(several.hyperbolic, one.hyperbolic);
+  EXPECT_TRUE(verify_inflation(bird, with_points(bird, several.points), {}, 0.05).valid());
+}
+
+TEST(Inflate, TheExcessIsThatOfTheHyperbolicVertices) {
+  EXPECT_EQ(angle_excess(Mesh(icosahedron())), 0);
+  const Mesh bird = small_bird();
+  const Inflation result = inflate(bird, {.stronger = {}, .pressure = 0.02});
+  EXPECT_EQ(result.excess_before, angle_excess(bird));
+  EXPECT_LT(result.excess, result.excess_before);
+}
+
 TEST(Inflate, KeptFacesStayToTheLastBit) {
   const Mesh bird = small_bird();
   const std::vector<FaceId> keep{FaceId(3), FaceId(40)};
-  const Inflation result = inflate(bird, {.keep = keep});
+  const Inflation result = inflate(bird, {.stronger = {}, .pressure = 0.02, .keep = keep});
   EXPECT_TRUE(verify_inflation(bird, with_points(bird, result.points), keep, 0.05).valid());
 }
 
@@ -48,6 +72,14 @@ TEST(Inflate, StepsOfTimeEndToo) {
 TEST(Inflate, AMeshWithABoundaryOrPolygonsIsRefused) {
   EXPECT_THROW(inflate(Mesh(open_grid(2, 2))), InvalidInput);
   EXPECT_THROW(inflate(Mesh(cube())), InvalidInput);
+}
+
+TEST(VerifyInflation, AVolumeThatShrankTooFarIsFound) {
+  const Mesh solid(icosahedron());
+  PolygonSoup small = solid.soup();
+  for (Vec3& p : small.points) p *= 0.9;
+  EXPECT_FALSE(verify_inflation(solid, small, {}, 0.05).valid());
+  EXPECT_TRUE(verify_inflation(solid, small, {}, 0.3).valid());
 }
 
 TEST(VerifyInflation, AFaceThatTurnedOverIsFound) {

@@ -52,5 +52,22 @@ TEST(Facets, TrianglesAreNotCut) {
   EXPECT_EQ(cut_into_facets(sheet).sheet.num_edges(), sheet.num_edges());
 }
 
+// A crease across a square, drawn as a curve with five straight ones.
+TEST(Facets, CutsEndAtTheVerticesOfACurveOnBothSides) {
+  CreasePattern sheet;
+  sheet.vertices = {{0, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 5}, {2, 6}, {4, 6.5}, {6, 6.5}, {8, 6}, {10, 5}};
+  const auto border = [&](int a, int b) { sheet.edges.push_back({a, b, Assignment::Boundary, 0}); };
+  for (const auto& [a, b] : {std::pair(0, 1), {1, 9}, {9, 2}, {2, 3}, {3, 4}, {4, 0}}) border(a, b);
+  for (int v = 4; v < 9; ++v) sheet.edges.push_back({v, v + 1, Assignment::Valley, kPi});
+  sheet.faces = {{0, 1, 9, 8, 7, 6, 5, 4}, {2, 3, 4, 5, 6, 7, 8, 9}};
+  const Facets facets = cut_into_facets(sheet);
+  std::vector<int> cuts(sheet.vertices.size(), 0);
+  for (int e = facets.first_cut; e < facets.sheet.num_edges(); ++e) {
+    ++cuts[facets.sheet.edges[e].a];
+    ++cuts[facets.sheet.edges[e].b];
+  }
+  for (int v = 5; v <= 8; ++v) EXPECT_GE(cuts[v], 2) << v;
+}
+
 }  // namespace
 }  // namespace plico

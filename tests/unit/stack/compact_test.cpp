@@ -65,6 +65,17 @@ TEST(CompactStack, FillsBlocksToTheIdealLayers) {
   }
 }
 
+// More empty slots than a pile has layers: all of them may be left in the first piles.
+TEST(CompactStack, ReachesTheIdealWhereTheBlockHasRoomToSpare) {
+  const SquareGraph graph = torus_squares(20, 20);
+  for (std::uint64_t seed : {1, 2}) {
+    const CompactResult result =
+        compact_stack(graph, torus_cycle(20, 20), true, {.seed = seed, .width = 7, .depth = 7, .exchanges = 2'000'000});
+    expect_stack(graph, result.best, 7, 7);
+    EXPECT_EQ(result.best.box.height, 9) << seed;
+  }
+}
+
 TEST(CompactStack, TheSameSeedGivesTheSameStack) {
   const SquareGraph graph = torus_squares(10, 10);
   const CompactOptions options{.seed = 5, .width = 4, .depth = 4};
@@ -95,6 +106,16 @@ TEST(CompactStack, TheBestBaseIsThatOfTheStudy) {
   EXPECT_EQ(best_base(2206, 0.01), (StackBox{3, 3, 246}));
   EXPECT_EQ(best_base(2206, 0.1), (StackBox{6, 6, 62}));
   EXPECT_EQ(best_base(2206, 0.2), (StackBox{8, 8, 35}));
+}
+
+TEST(CompactStack, TheBestBaseInABlockFitsIntoItEitherWayRound) {
+  for (const StackBox& room : {StackBox{8, 3, 100}, StackBox{3, 8, 100}}) {
+    const std::optional<StackBox> base = best_base_in(room, 2206, 0.2);
+    ASSERT_TRUE(base);
+    EXPECT_EQ(*base, (StackBox{3, 8, 92}));
+  }
+  EXPECT_EQ(best_base_in({20, 20, 30}, 2206, 0.2), (StackBox{9, 9, 28}));
+  EXPECT_FALSE(best_base_in({8, 3, 91}, 2206, 0.2));
 }
 
 }  // namespace

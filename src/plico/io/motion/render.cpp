@@ -174,10 +174,15 @@ class Canvas {
   std::vector<int> surface_;  // seen at each sample, -1 for none
 };
 
+std::vector<Pose> poses_of(const Linkage& linkage, const Configuration& config, const PictureOptions& options) {
+  std::vector<Pose> poses = folding_map(linkage, config);
+  for (std::size_t p = 0; p < options.home.size(); ++p) poses[p] = options.home[p] * poses[p];
+  return poses;
+}
+
 // Every point of every panel, plates included.
-std::vector<Vec3> points_of(const Linkage& linkage, const Configuration& config) {
+std::vector<Vec3> points_of(const Linkage& linkage, const std::vector<Pose>& poses) {
   std::vector<Vec3> points;
-  const std::vector<Pose> poses = folding_map(linkage, config);
   for (int p = 0; p < linkage.num_panels(); ++p)
     for (const Vec3& v : linkage.panels[p])
       for (double side : {-0.5, 0.5}) points.push_back(poses[p] * (v + Vec3(0, 0, side * linkage.thickness)));
@@ -330,12 +335,16 @@ Picture render(const Linkage& linkage, const Configuration& config, const Pictur
   for (const auto& [name, value] : {std::pair("width", options.width), {"height", options.height}})
     if (value < 16 || value > 8192) throw InvalidOption(fmt::format("{} = {} must be in [16, 8192]", name, value));
   if (linkage.num_panels() == 0) throw InvalidInput("linkage/empty", "a linkage without panels cannot be drawn");
+  if (!options.home.empty() && static_cast<int>(options.home.size()) != linkage.num_panels())
+    throw InvalidInput("linkage/home",
+                       fmt::format("{} motions for {} panels", options.home.size(), linkage.num_panels()));
   std::vector<Vec3> content;
   for (const Configuration& c : options.frame) {
-    const std::vector<Vec3> points = points_of(linkage, c);
+    const std::vector<Vec3> points = points_of(linkage, poses_of(linkage, c, options));
     content.insert(content.end(), points.begin(), points.end());
   }
-  const std::vector<Vec3> now = points_of(linkage, config);
+  const std::vector<Pose> poses = poses_of(linkage, config, options);
+  const std::vector<Vec3> now = points_of(linkage, poses);
   content.insert(content.end(), now.begin(), now.end());
 
   double ground = content.front().z();
@@ -346,7 +355,6 @@ Picture render(const Linkage& linkage, const Configuration& config, const Pictur
 
   Canvas canvas(options.width * kSamples, options.height * kSamples);
   const View view(options.camera, content, canvas.width(), canvas.height());
-  const std::vector<Pose> poses = folding_map(linkage, config);
   draw_panels(canvas, view, linkage, poses);
   draw_lines(canvas, view, linkage, poses);
   if (!options.transparent) {

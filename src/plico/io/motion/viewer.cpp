@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "plico/base/error.h"
+#include "plico/base/libm.h"
 #include "plico/geom/polygon.h"
 #include "plico/io/motion/panel_joints.h"
 
@@ -39,18 +40,66 @@ void add_panels(Json& data, const Linkage& linkage) {
 
 void add_tree(Json& data, const Linkage& linkage) {
   data["hinges"] = Json::array();
-  for (const Hinge& hinge : linkage.hinges)
+  for (const Hinge& hinge : linkage.hinges) {
     data["hinges"].push_back({{"left", hinge.left},
                               {"right", hinge.right},
                               {"from", list(hinge.from)},
                               {"to", list(hinge.to)},
                               {"target", hinge.target}});
+    if (hinge.roll > 0) data["hinges"].back()["roll"] = hinge.roll;
+  }
   data["order"] = linkage.order;
   data["parentPanel"] = linkage.parent_panel;
   data["parentHinge"] = linkage.parent_hinge;
   data["seams"] = Json::array();
   for (const Linkage::Seam& seam : linkage.seams)
     data["seams"].push_back({seam.panel_a, seam.side_a, seam.panel_b, seam.side_b});
+}
+
+// The moment at which everything is folded.
+double folded_at(const ViewerInput& input) { return input.home.empty() ? 1 : 0.7; }
+
+// A piece turns about the middle of its panels.
+void add_home(Json& data, const ViewerInput& input) {
+  const Linkage& linkage = input.linkage;
+  if (!input.home.empty() && static_cast<int>(input.home.size()) != linkage.num_panels())
+    throw InvalidInput("viewer/home", fmt::format("{} motions for {} panels", input.home.size(), linkage.num_panels()));
+  data["folded"] = folded_at(input);
+  data["home"] = Json::array();
+  if (input.home.empty()) return;
+  const std::vector<Pose> folded = folding_map(linkage, input.path ? input.path->at(1) : goal(linkage));
+  const std::vector<int> part = parts(linkage);
+  std::vector<Eigen::AlignedBox3d> boxes(linkage.num_panels());
+  for (int p = 0; p < linkage.num_panels(); ++p)
+    for (const Vec3& corner : linkage.panels[p]) boxes[part[p]].extend(folded[p] * corner);
+  for (int p = 0; p < linkage.num_panels(); ++p) {
+    const Pose& home = input.home[p];
+    const Vec3 centre = boxes[part[p]].center();
+    const Eigen::Quaterniond turn(home.linear());
+    const double sine = turn.vec().norm();
+    data["home"].push_back({{"axis", list(sine > 0 ? Vec3(turn.vec() / sine) : Vec3(Vec3::UnitZ()))},
+                            {"angle", 2 * plico::atan2(sine, turn.w())},
+                            {"centre", list(centre)},
+                            {"shift", list(home * centre - centre)}});
+  }
+}
+
+std::string base64(const std::string& bytes) {
+  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    unsigned group = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+    for (std::size_t k = 0; k < 4; ++k) text += i + k > bytes.size() ? '=' : kDigits[group >> (18 - 6 * k) & 63];
+  }
+  return text;
+}
+
+void add_pictures(Json& data, const ViewerInput& input) {
+  data["pictures"] = Json::array();
+  for (const auto& [caption, png] : input.pictures)
+    data["pictures"].push_back({{"caption", caption}, {"png", base64(png)}});
 }
 
 void add_motion(Json& data, const ViewerInput& input) {
@@ -63,7 +112,7 @@ void add_motion(Json& data, const ViewerInput& input) {
   for (int h = 0; h < input.linkage.num_hinges(); ++h) {
     Json times = Json::array(), angles = Json::array();
     for (const AngleKey& key : angle_keys(path, h)) {
-      times.push_back(key.time);
+      times.push_back(key.time * folded_at(input));
       angles.push_back(key.angle);
     }
     data["keys"].push_back({{"times", std::move(times)}, {"angles", std::move(angles)}});
@@ -95,7 +144,8 @@ void add_proof(Json& data, const ViewerInput& input) {
     if (c.panel_a < 0 || c.panel_a >= n || c.panel_b < 0 || c.panel_b >= n)
       throw InvalidInput("viewer/collision", fmt::format("collision of panels {} and {}, but there are {} panels",
                                                          c.panel_a, c.panel_b, n));
-    data["collisions"].push_back({{"begin", c.begin}, {"end", c.end}, {"panels", {c.panel_a, c.panel_b}}});
+    data["collisions"].push_back(
+        {{"begin", c.begin * folded_at(input)}, {"end", c.end * folded_at(input)}, {"panels", {c.panel_a, c.panel_b}}});
   }
 }
 
@@ -132,6 +182,8 @@ std::string viewer_page(const ViewerInput& input) {
   add_motion(data, input);
   require_within_limits(input.linkage, input.path ? *input.path : linear_path(input.linkage));
   add_proof(data, input);
+  add_home(data, input);
+  add_pictures(data, input);
   add_report(data, input);
   std::string page(kTemplate);
   const std::size_t at = page.find(kDataMark);

@@ -30,8 +30,12 @@ struct ViewerInput {
   std::string proof_note;  // one sentence about how it was proven
   std::vector<ViewerCollision> collisions;
 
-  std::string report;                                      // one JSON object, shown as a table; empty for none
-  std::vector<std::pair<std::string, std::string>> links;  // label and address of files beside the page
+  std::string report;                                         // one JSON object, shown as a table; empty for none
+  std::vector<std::pair<std::string, std::string>> links;     // label and address of files beside the page
+  std::vector<std::pair<std::string, std::string>> pictures;  // caption and bytes of PNG files, shown below the views
+  // How pieces are put together once they are folded: a motion of every panel, the same for all of a part; empty: none.
+  // Then folding takes the first part of the slider, and putting together the rest.
+  std::vector<Pose> home;
 };
 
 // The page, complete; the same input gives the same bytes. Throws InvalidInput when `report` is not a JSON object, or a

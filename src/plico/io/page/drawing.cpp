@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
+#include "plico/base/error.h"
 #include "plico/fabricate/place.h"
 #include "plico/font/font.h"
+#include "plico/geom/polygon.h"
 
 namespace plico {
 namespace {
@@ -61,12 +64,15 @@ class Drafter {
     drawing_.size = page_.size;
     drawing_.title = options.title;
     drawing_.pens = pens(options.style);
+    if (options.perforation.cut > 0) drawing_.pens[kMountain].dash = drawing_.pens[kValley].dash = {};
   }
 
   Drawing run() {
     for (const PlacedPart& part : layout_.parts)
       if (part.page == number_) draw_part(part);
     if (page_.key_form != KeyForm::None) draw_key();
+    put_in_order();
+    set_texts();
     return std::move(drawing_);
   }
 
@@ -75,16 +81,49 @@ class Drafter {
     drawing_.strokes.push_back({layer, {a, b}, false, pen});
   }
 
+  // What lies inside is smaller: a machine that goes on cuts it while the paper around it still holds.
+  void put_in_order() {
+    std::ranges::stable_sort(drawing_.strokes, {}, [](const Stroke& stroke) {
+      return stroke.layer == Layer::Cut ? std::abs(signed_area(stroke.points)) : -1;
+    });
+  }
+
+  void set_texts() {
+    if (options_.text == TextForm::Text) return;
+    for (const Text& text : drawing_.texts) {
+      if (options_.text == TextForm::None) break;
+      const Eigen::Matrix2d turn = rotation(text.angle);
+      for (std::vector<Vec2> outline : font_.outlines(text.text, text.size)) {
+        for (Vec2& p : outline) p = text.start + turn * p;
+        drawing_.strokes.push_back({Layer::Text, std::move(outline), true, text.pen});
+      }
+    }
+    drawing_.texts.clear();
+  }
+
+  void fold_line(Assignment fold, const Vec2& a, const Vec2& b) {
+    const auto [cut, gap] = options_.perforation;
+    const Layer layer = layer_of(fold);
+    const double length = (b - a).norm();
+    if (!(cut > 0) || layer == Layer::Mark) return line(layer, pen_of(fold), a, b);
+    const int cuts = static_cast<int>(std::floor(length / (cut + gap)));
+    const Vec2 along = (b - a).normalized();
+    const double rest = length - cuts * (cut + gap) + gap;  // of paper, at both ends together
+    for (int i = 0; i < cuts; ++i) {
+      const Vec2 from = a + (rest / 2 + i * (cut + gap)) * along;
+      line(layer, pen_of(fold), from, from + cut * along);
+    }
+  }
+
   void draw_part(const PlacedPart& part) {
     if (drawing_.pens[kTabFill].fill)
       for (const Tab& tab : part.tabs)
         drawing_.strokes.push_back({Layer::Mark, {tab.corners.begin(), tab.corners.end()}, true, kTabFill});
     for (const FoldLine& fold : part.folds)
-      if (fold.assignment != Assignment::Flat || options_.flat_creases)
-        line(layer_of(fold.assignment), pen_of(fold.assignment), fold.a, fold.b);
+      if (fold.assignment != Assignment::Flat || options_.flat_creases) fold_line(fold.assignment, fold.a, fold.b);
     for (const Tab& tab : part.tabs) {
       const Assignment fold = tab.fold_angle > 0 ? Assignment::Valley : Assignment::Mountain;
-      line(layer_of(fold), pen_of(fold), tab.corners[0], tab.corners[1]);
+      fold_line(fold, tab.corners[0], tab.corners[1]);
     }
     for (const Mark& mark : part.marks) drawing_.strokes.push_back({Layer::Mark, mark.points, mark.closed, kMark});
     for (const Label& label : part.labels) {
@@ -112,7 +151,7 @@ class Drafter {
   }
 
   void draw_key() {
-    draw_ruler();
+    if (options_.ruler) draw_ruler();
     if (page_.key_form == KeyForm::Row) draw_legend(page_.ruler + 11, 5.6, page_.ruler + 11, 1.2, 64);
     if (page_.key_form == KeyForm::Stack) draw_legend(1, 17.5, 1, 11.5, page_.ruler);
   }
@@ -172,7 +211,16 @@ std::string_view name(Layer layer) {
   return kNames[static_cast<int>(layer)];
 }
 
+void check(const DrawOptions& options) {
+  const auto [cut, gap] = options.perforation;
+  if (!(cut == 0 || (cut >= 0.2 && cut <= 50)))
+    throw InvalidOption(fmt::format("perforation: cuts of {:g} mm must be in [0.2, 50] mm", cut));
+  if (cut > 0 && !(gap >= 0.2 && gap <= 50))
+    throw InvalidOption(fmt::format("perforation: gaps of {:g} mm must be in [0.2, 50] mm", gap));
+}
+
 std::vector<Drawing> draw(const PageLayout& layout, const DrawOptions& options) {
+  check(options);
   const Font font;
   std::vector<Drawing> drawings;
   for (int page = 0; page < static_cast<int>(layout.pages.size()); ++page)

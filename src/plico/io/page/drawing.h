@@ -52,13 +52,27 @@ struct Drawing {
 // Bw: for black printers.
 enum class DrawStyle { Paper, Origami, Laser, Bw };
 
+// Letters as text of a font, as lines along their outlines for machines that have no font, or none.
+enum class TextForm { Text, Outlines, None };
+
+// Folds as rows of cuts with paper left between them, real gaps, for machines that cut solid lines only. Every row
+// begins and ends with at least half a gap of paper.
+struct Perforation {
+  double cut = 0, gap = 0;  // millimetres; cut = 0: folds stay lines
+};
+
 struct DrawOptions {
   DrawStyle style = DrawStyle::Paper;
   bool flat_creases = false;  // show folds that stay flat
   std::string title;          // of the model, shown beside the legend
+  TextForm text = TextForm::Text;
+  Perforation perforation = {};
+  bool ruler = true;
 };
+void check(const DrawOptions& options);  // throws InvalidOption naming field, value and range
 
-// One drawing a page. Every part is one closed stroke in layer Cut (more when it has holes), tabs included.
+// One drawing a page. Every part is one closed stroke in layer Cut (more when it has holes), tabs included; what lies
+// inside another outline is cut before it. Throws InvalidOption.
 std::vector<Drawing> draw(const PageLayout& layout, const DrawOptions& options = {});
 
 // Coordinates in files: rounded to 1e-7, without trailing zeros; the same text for the same double.

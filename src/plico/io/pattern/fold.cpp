@@ -177,6 +177,14 @@ FoldFile fold_file(const CreasePattern& sheet) {
   return file;
 }
 
+void set_sheet(FoldFile& file, const CreasePattern& sheet) {
+  file.net.sheet = sheet;
+  file.net.part = parts_of(sheet);
+  file.net.mate.clear();
+  file.path.reset();
+  file.path_points.clear();
+}
+
 void set_path(FoldFile& file, const Linkage& linkage, const FoldingPath& path) {
   const CreasePattern& sheet = file.net.sheet;
   PLICO_ASSERT(linkage.num_panels() == sheet.num_faces());

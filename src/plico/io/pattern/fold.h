@@ -44,6 +44,10 @@ FoldKind kind(const FoldFile& file);
 FoldFile fold_file(const Mesh& mesh, const Unfolding& unfolding);
 FoldFile fold_file(const CreasePattern& sheet);
 
+// The sheet that a motion folds takes the place of the one drawn, as when its panels were cut or its vertices moved.
+// Seams and the motion of the old one go.
+void set_sheet(FoldFile& file, const CreasePattern& sheet);
+
 // Sets the motion and computes where it takes the vertices; the roots of `linkage`, made from the file's sheet, stay in
 // their flat places.
 void set_path(FoldFile& file, const Linkage& linkage, const FoldingPath& path);

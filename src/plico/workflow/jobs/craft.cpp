@@ -6,20 +6,25 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "plico/base/error.h"
 #include "plico/mesh/measures.h"
 #include "plico/workflow/craft.h"
 #include "plico/workflow/jobs/jobs.h"
 #include "plico/workflow/jobs/print_options.h"
 #include "plico/workflow/jobs/read_mesh.h"
+#include "plico/workflow/jobs/read_shape.h"
 #include "plico/workflow/jobs/session.h"
+#include "plico/workflow/shell_pieces.h"
 #include "plico/workflow/simplify_mesh.h"
 
 namespace plico::jobs {
 namespace {
 
 struct CraftArgs {
-  std::string mesh, foldable = "linear", repair = "safe", parts = "one", coplanar = "join";
+  std::string mesh, foldable = "linear", repair = "safe", parts = "one", coplanar = "join", optimize = "hands";
   int faces = 0;  // 0: as many as there are
+  bool shells = false;
+  double concavity = 0.05;
   PrintArgs print;
 };
 
@@ -35,8 +40,9 @@ CraftOptions craft_options(const CraftArgs& args, Session& session) {
   options.law = args.foldable == "linear"    ? std::optional(FoldingLaw::Linear)
                 : args.foldable == "uniform" ? std::optional(FoldingLaw::Uniform)
                                              : std::nullopt;
-  if (args.parts != "one") options.parts = SegmentOptions{.prove = {}};
+  if (args.parts != "one") options.parts.emplace();
   if (args.parts != "one") set_wish(*options.parts, args.parts);
+  options.wish = hand_wish(args.optimize);
   options.layout = layout_options(args.print);
   options.draw = draw_options(args.print, options.name);
   return options;
@@ -95,20 +101,69 @@ void warn_of_small_edges(const Session& session, const CraftResult& result) {
       result.net.sheet.num_faces() > 400 ? "--faces 300, " : "", work.longest_mm));
 }
 
-int craft_file(const CraftArgs& args, Session& session) {
-  craft_options(args, session);  // what is wrong is told before the folder is made
-  Mesh given = read_mesh(args.mesh, args.repair, session);
-  const std::string folder = session.output_folder(stem(args.mesh));
-  const Mesh mesh = mesh_to_craft(std::move(given), args, session);
-  const CraftResult result = craft(mesh, craft_options(args, session), session.run());
+// The shells of a shape in parts; of one that hangs together, those of its nearly convex parts.
+ShellPieces shells_to_craft(const CraftArgs& args, Session& session) {
+  std::vector<ShapePart> parts = read_shape_parts(args.mesh, "auto", "", session);
+  if (parts.size() == 1)
+    parts = nearly_convex_parts(read_mesh(args.mesh, args.repair, session), {args.concavity}, session.run());
+  ShellOptions options;
+  options.seed = session.seed();
+  ShellPieces pieces = shell_pieces(parts, options, session.run());
+  for (const std::string& note : pieces.notes) session.warn(note);
+  const Shells& shells = pieces.judged.shells;
+  session.print(fmt::format("shells     {} of {} parts, {:.3g} % of the hulls' union lost, {} joints\n",
+                            pieces.pieces.num_parts(), parts.size(), 100 * shells.loss(), pieces.joints.size()));
+  session.print(
+      fmt::format("verified   {}\n", pieces.judged.verdict.valid() ? "shells are convex and disjoint, exactly" : "no"));
+  session.report()["shells"] = {{"parts", parts.size()},          {"shells", pieces.pieces.num_parts()},
+                                {"loss", shells.loss()},          {"least_kept", shells.least_kept()},
+                                {"joints", pieces.joints.size()}, {"valid", pieces.judged.verdict.valid()}};
+  return pieces;
+}
+
+void check_shell_usage(const CraftArgs& args) {
+  if (!args.shells) return;
+  if (args.parts != "one") throw InvalidOption("--shells makes its own parts", "leave --parts out");
+  if (args.faces > 0)
+    throw InvalidOption("--shells takes the shape as it is", "leave --faces out, or run plico simplify first");
+  if (args.mesh == "-") throw InvalidOption("--shells reads its file twice, so it cannot be standard input");
+  require(args.concavity > 0, "concavity", args.concavity, "above 0");
+}
+
+int write_result(const CraftArgs& args, const Mesh& mesh, const std::string& folder, const CraftResult& result,
+                 Session& session) {
   for (const CraftFile& file : result.files) session.write(folder + "/" + file.name, file.bytes);
   session.report()["craft"] = craft_report(mesh, result);
   print_result(session, folder, result);
-  warn_of_small_edges(session, result);
+  if (!args.shells) warn_of_small_edges(session, result);
   for (const Defect& defect : result.verdict.defects) session.warn(defect.message);
+  for (const Defect& defect : result.joint_defects) session.warn(defect.message);
   for (const std::string& problem : result.layout_verdict.problems) session.warn(problem);
   if (!result.sound()) return kInternal;
   return Session::exit_code(result.ending);
+}
+
+int craft_shells(const CraftArgs& args, Session& session) {
+  CraftOptions options = craft_options(args, session);
+  ShellPieces pieces = shells_to_craft(args, session);
+  if (!pieces.judged.verdict.valid()) {
+    for (const Defect& defect : pieces.judged.verdict.defects) session.warn(defect.message);
+    return kInternal;
+  }
+  const std::string folder = session.output_folder(stem(args.mesh));
+  options.pieces = std::move(pieces.pieces);
+  options.joints = std::move(pieces.joints);
+  return write_result(args, pieces.mesh, folder, craft(pieces.mesh, options, session.run()), session);
+}
+
+int craft_file(const CraftArgs& args, Session& session) {
+  check_shell_usage(args);
+  craft_options(args, session);  // what is wrong is told before the folder is made
+  if (args.shells) return craft_shells(args, session);
+  Mesh given = read_mesh(args.mesh, args.repair, session);
+  const std::string folder = session.output_folder(stem(args.mesh));
+  const Mesh mesh = mesh_to_craft(std::move(given), args, session);
+  return write_result(args, mesh, folder, craft(mesh, craft_options(args, session), session.run()), session);
 }
 
 }  // namespace
@@ -120,6 +175,7 @@ Job craft_job() {
       .example("plico craft bird.obj --height 20cm --page A3 -o bird", "20 cm tall, on A3")
       .example("plico craft bird.obj --parts auto -o bird",
                "a kit: head, wings, legs, each with its own net and motion")
+      .example("plico craft robot.obj --shells -o robot", "convex pieces, with marks where they are glued face to face")
       .example("plico craft bird.obj --foldable none --split -o bird", "any net, cut where it does not fit a page")
       .positional("mesh", "OBJ, OFF, STL or PLY file; '-' is standard input", args->mesh)
       .option("--faces", "N", "simplify the mesh to so many triangles first, as plico simplify does; 0: as it is",
@@ -128,9 +184,16 @@ Job craft_job() {
               {"join", "keep"})
       .choice("--foldable", "look for a net whose linear or uniform motion is proven free of collision", args->foldable,
               {"linear", "uniform", "none"})
+      .choice("--optimize",
+              "make the net better and keep its proof: compact, with no weak folds; compact; or take the first found",
+              args->optimize, {"hands", "page", "none"})
       .option("--parts", "WISH",
               "one net; or parts, as plico segment makes them: auto, cut at necks; fewest that fold; or a number",
-              args->parts);
+              args->parts)
+      .flag("--shells",
+            "convex pieces, glued face to face: one for each part of the shape, or each nearly convex part of one mesh",
+            args->shells)
+      .option("--concavity", "X", "of those nearly convex parts, as for plico segment --by convexity", args->concavity);
   add_repair_option(job, args->repair);
   add_print_options(job, args->print);
   job.action([args](Session& session) { return craft_file(*args, session); });

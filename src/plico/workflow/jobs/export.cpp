@@ -26,6 +26,7 @@
 #include "plico/workflow/jobs/read_sheet.h"
 #include "plico/workflow/jobs/session.h"
 #include "plico/workflow/show_proof.h"
+#include "plico/workflow/stack_views.h"
 
 namespace plico::jobs {
 namespace {
@@ -46,7 +47,11 @@ struct LoadedMotion {
   Linkage linkage;
   FoldingPath path;
   std::string title;
+  std::optional<ChainClaim> chain = {};  // of thick squares
 };
+
+// A chain of thick squares never lies flat; without a motion all there is to show is its shape.
+FoldingPath resting_in_shape(const Linkage& chain) { return {{{0, goal(chain)}, {1, goal(chain)}}}; }
 
 std::string name_of(const std::string& path) {
   return path == "-" ? "sheet" : std::filesystem::path(path).stem().string();
@@ -54,13 +59,17 @@ std::string name_of(const std::string& path) {
 
 LoadedMotion read_motion(const ExportArgs& args, Session& session) {
   LoadedMotion motion{read_sheet(args.file, session), {}, {}, args.title};
-  motion.linkage = make_linkage(motion.file.net.sheet, motion.file.net.mate);
+  motion.chain = chain_claim(motion.file);
+  motion.linkage =
+      motion.chain ? chain_linkage_of(*motion.chain) : make_linkage(motion.file.net.sheet, motion.file.net.mate);
   if (!args.trajectory.empty()) {
     if (args.file == "-") throw InvalidOption("--trajectory needs the sheet in a file of its own, not standard input");
     const std::string sheet = session.read(args.file), trajectory = session.read(args.trajectory);
     set_path(motion.file, motion.linkage, read_trj(trajectory, read_ori(sheet, args.file), args.trajectory));
   }
-  motion.path = motion.file.path ? *motion.file.path : linear_path(motion.linkage);
+  motion.path = motion.file.path ? *motion.file.path
+                : motion.chain   ? resting_in_shape(motion.linkage)
+                                 : linear_path(motion.linkage);
   if (motion.title.empty()) motion.title = name_of(args.file);
   return motion;
 }
@@ -101,6 +110,13 @@ std::string planner_of(const FoldFile& file) {
   return planner.empty() || planner == "linear" || planner == "uniform" ? planner : "planned";
 }
 
+void add_chain_proof(ViewerInput& page, const ChainClaim& claim, Session& session) {
+  const ChainMotionVerdict verdict = judge_chain_motion(claim, *page.path, {}, limited(session.run(), kProofSeconds));
+  show_proof(page, verdict);
+  session.report()["motion"] = {{"verdict", name(verdict.verdict)}, {"opened", verdict.opened}};
+  session.say(fmt::format("motion: {}", page.proof_note));
+}
+
 // Who shows a motion wants to know whether it folds; what the file says about that is a claim, so it is proven again.
 void add_proof(ViewerInput& page, Session& session) {
   const PathProof proof = prove_path(page.linkage, *page.path, {}, limited(session.run(), kProofSeconds));
@@ -118,7 +134,12 @@ std::string page(const LoadedMotion& motion, Session& session) {
   input.path = motion.path;
   input.motion = motion.file.path ? planner_of(motion.file) : "linear";
   input.report = motion.file.report;
-  if (motion.linkage.num_hinges() > 0) add_proof(input, session);
+  if (motion.chain) {
+    input.motion = motion.file.path ? "unpacking" : "";
+    if (motion.file.path) add_chain_proof(input, *motion.chain, session);
+  } else if (motion.linkage.num_hinges() > 0) {
+    add_proof(input, session);
+  }
   return viewer_page(input);
 }
 
@@ -126,6 +147,9 @@ std::string bytes_for(const std::string& path, const LoadedMotion& motion, const
   const std::string kind = extension(path);
   if (kind == "csv" || path.ends_with(".angles.svg")) require_within_limits(motion.linkage, motion.path);
   if (path.ends_with(".angles.svg")) return write_angle_plot(motion.path, {.title = motion.title});
+  if (motion.chain && (kind == "glb" || kind == "urdf" || kind == "xml" || kind == "mjcf"))
+    throw InvalidOption(fmt::format("{} would hold hinges with one axis; those of a thick chain have three", path),
+                        "export to .html, .png or .csv");
   if (kind == "glb") return write_glb(motion.linkage, motion.path, {.seconds = args.seconds});
   if (kind == "urdf") return robot_file(write_urdf(motion.linkage, motion.path, robot_options(motion, args)), session);
   if (kind == "xml" || kind == "mjcf")
@@ -154,7 +178,8 @@ int export_file(const ExportArgs& args, Session& session) {
   report["chain_depth"] = chain_depth(motion.linkage);
   report["waypoints"] = motion.path.waypoints.size();
   report["has_motion"] = motion.file.path.has_value();
-  if (!motion.file.path) session.say("the file holds no motion: shown as if all creases arrived together");
+  if (!motion.file.path && !motion.chain)
+    session.say("the file holds no motion: shown as if all creases arrived together");
   std::vector<std::string> contents;
   for (const std::string& path : outputs) contents.push_back(bytes_for(path, motion, args, session));
   for (std::size_t i = 0; i < outputs.size(); ++i) session.write(outputs[i], contents[i]);

@@ -13,6 +13,7 @@
 #include "plico/workflow/jobs/motion_report.h"
 #include "plico/workflow/jobs/read_sheet.h"
 #include "plico/workflow/jobs/session.h"
+#include "plico/workflow/plan_drawn.h"
 #include "plico/workflow/plan_origami.h"
 
 namespace plico::jobs {
@@ -68,7 +69,9 @@ MotionOutcome plan(const FoldFile& file, const Linkage& linkage, const FoldArgs&
   if (linkage.has_loops()) {
     for (const std::string& state : args.through) options.through.push_back(state_of(state, linkage, session));
     if (!args.reuse.empty()) return reuse(linkage, options, args.reuse, session);
-    return plan_origami(file.net.sheet, options, session.run());
+    const bool as_drawn = args.grouped || !args.through.empty();  // both speak of the creases of this very sheet
+    return as_drawn ? plan_origami(file.net.sheet, options, session.run())
+                    : plan_drawn(file.net.sheet, options, session.run());
   }
   if (args.grouped || !args.reuse.empty() || !args.through.empty())
     throw InvalidOption("--grouped, --reuse and --through are for crease patterns with loops; this sheet has none");
@@ -103,13 +106,6 @@ void write_motions(Session& session, FoldFile& file, const Linkage& linkage, con
   }
 }
 
-// The sheet whose panels were cut by flat creases takes the place of the given one.
-void take_cut_sheet(FoldFile& file, const CreasePattern& cut) {
-  file.net.sheet = cut;
-  file.net.part = parts_of(cut);
-  file.net.mate.clear();
-}
-
 std::vector<double> in_degrees(std::vector<double> angles) {
   for (double& angle : angles) angle = degrees(angle);
   return angles;
@@ -123,9 +119,9 @@ int fold_file(const FoldArgs& args, Session& session) {
   Linkage linkage = make_linkage(file.net.sheet, file.net.mate);
   const MotionOutcome outcome = plan(file, linkage, args, session);
   if (outcome.sheet) {
-    take_cut_sheet(file, *outcome.sheet);
+    set_sheet(file, *outcome.sheet);
     linkage = make_linkage(file.net.sheet);
-    session.report()["panel_bends_deg"] = in_degrees(outcome.bends);
+    if (!outcome.bends.empty()) session.report()["panel_bends_deg"] = in_degrees(outcome.bends);
   }
   nlohmann::json motions = nlohmann::json::array();
   for (const Motion& motion : outcome.motions) {

@@ -3,7 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -13,31 +14,26 @@
 #include "plico/workflow/jobs/jobs.h"
 #include "plico/workflow/jobs/read_mesh.h"
 #include "plico/workflow/jobs/session.h"
+#include "plico/workflow/jobs/share.h"
 
 namespace plico::jobs {
 namespace {
 
 struct InflateArgs {
-  std::string mesh, repair = "safe", method = "minimize", until = "0", growth = "5%";
+  std::string mesh, repair = "safe", method = "minimize", until = "0", growth = "5%", flattening = "auto";
   std::vector<std::string> keep;
   bool uniform = false;
   InflateOptions options;
 };
 
-// "12" or "12%" of `whole`.
-double share_or_number(const std::string& option, const std::string& word, double whole) {
-  const bool percent = word.ends_with('%');
-  const char* last = word.data() + word.size() - (percent ? 1 : 0);
-  double value = 0;
-  const auto [end, error] = std::from_chars(word.data(), last, value);
-  if (error != std::errc() || end != last || !(value >= 0 && value <= 1e9))
-    throw InvalidOption(fmt::format("{} = {} must be a number of at least 0, or one with %", option, word));
-  return percent ? value / 100 * whole : value;
-}
-
 std::vector<FaceId> kept_faces(const std::vector<std::string>& words) {
   std::vector<FaceId> faces;
-  for (const std::string& word : words) faces.emplace_back(static_cast<int>(share_or_number("keep", word, 0)));
+  for (const std::string& word : words) {
+    const double number = share_or_number("keep", word, 1);
+    if (word.ends_with('%') || number != std::floor(number))
+      throw InvalidOption(fmt::format("keep = {} must be the number of a face, from 0", word));
+    faces.emplace_back(static_cast<int>(number));
+  }
   return faces;
 }
 
@@ -55,6 +51,9 @@ nlohmann::json report_of(const Inflation& result, const InflationVerdict& verdic
           {"volume_before", result.volume_before},
           {"volume", result.volume},
           {"growth", verdict.growth},
+          {"excess_before_deg", degrees(result.excess_before)},
+          {"excess_deg", degrees(result.excess)},
+          {"flattening", result.flattening},
           {"pressure", result.pressure},
           {"steps", result.steps},
           {"held_vertices", result.held.size()},
@@ -62,6 +61,14 @@ nlohmann::json report_of(const Inflation& result, const InflationVerdict& verdic
           {"largest_move", result.largest_move()},
           {"move", result.move},
           {"defects", verdict.defects}};
+}
+
+// More than half of the hyperbolic vertices are left.
+std::string what_is_in_the_way(const Inflation& result) {
+  return fmt::format(
+      "those left exceed 360 degrees by {:.0f} on average; {}", degrees(result.excess) / std::max(1, result.hyperbolic),
+      result.held.empty() ? "a larger --max-growth may fill deeper dents"
+                          : fmt::format("{} vertices stayed, as faces there would meet", result.held.size()));
 }
 
 int inflate_file(InflateArgs& args, Session& session) {
@@ -72,6 +79,10 @@ int inflate_file(InflateArgs& args, Session& session) {
   options.method = args.method == "explicit" ? InflateMethod::Explicit : InflateMethod::Minimize;
   options.skin.constrained = !args.uniform;
   options.keep = kept_faces(args.keep);
+  if (args.flattening != "auto") {
+    options.skin.flattening = share_or_number("flattening", args.flattening, 1);
+    options.stronger.clear();
+  }
   const Mesh mesh = read_mesh(args.mesh, args.repair, session);
   options.until_hyperbolic = static_cast<int>(share_or_number("until-hyperbolic", args.until, mesh.num_vertices()));
   const Inflation result = inflate(mesh, options, session.run());
@@ -86,6 +97,7 @@ int inflate_file(InflateArgs& args, Session& session) {
                   "at most; stopped by {}",
                   verdict.hyperbolic, mesh.num_vertices(), verdict.hyperbolic_before, 100 * verdict.growth,
                   result.mean_move(), result.largest_move(), name(result.limit)));
+  if (2 * verdict.hyperbolic > verdict.hyperbolic_before) session.say(what_is_in_the_way(result));
   for (const std::string& path : outputs) session.write(path, write_mesh(soup, format_of_output(path)));
   const bool cut_short = result.ending == Ending::TimedOut || result.ending == Ending::Stopped;
   return cut_short ? Session::exit_code(result.ending) : kDone;
@@ -107,8 +119,9 @@ Job inflate_job() {
       .option("--pressure", "P", "stop at this pressure; 0: where the other limits stop it", args->options.pressure)
       .option("--keep", "FACE", "number of a face that must not move, from 0; repeatable", args->keep)
       .flag("--uniform", "no edge is stiff and no vertex is drawn back to its place", args->uniform)
-      .option("--flattening", "W", "how strongly angles above 360 degrees are pressed out; 0: only by air",
-              args->options.skin.flattening)
+      .option("--flattening", "W",
+              "how strongly angles above 360 degrees are pressed out; 0: only by air; auto: the best of 1, 8 and 64",
+              args->flattening)
       .choice("--method", "minimize the energy, or add up forces step by step as the dissertation does", args->method,
               {"minimize", "explicit"})
       .action([args](Session& session) { return inflate_file(*args, session); });

@@ -1,4 +1,4 @@
-#include "job.h"
+#include "plico/workflow/jobs/job.h"
 
 #include <fmt/format.h>
 

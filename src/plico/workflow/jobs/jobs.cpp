@@ -64,6 +64,7 @@ std::vector<Job> all_jobs() {
       origami_make_job(),
       origami_info_job(),
       origami_gallery_job(),
+      origami_settle_job(),
       verify_job(),
   };
   // clang-format on

@@ -6,6 +6,12 @@
 
 namespace plico::jobs {
 
+nlohmann::json defects_json(const std::vector<Defect>& defects) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const Defect& defect : defects) list.push_back({{"code", defect.code}, {"message", defect.message}});
+  return list;
+}
+
 nlohmann::json motion_json(const PathProof& proof) {
   nlohmann::json json{
       {"verdict", name(proof.verdict)}, {"clearance", proof.clearance},           {"touch", proof.touch},

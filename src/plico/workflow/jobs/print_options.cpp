@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "plico/base/error.h"
+#include "plico/base/units.h"
 
 namespace plico::jobs {
 namespace {
@@ -15,6 +16,31 @@ TabSide tab_side(const std::string& word) {
       {"auto", TabSide::Auto},    {"alternate", TabSide::Alternate}, {"left", TabSide::First},
       {"right", TabSide::Second}, {"both", TabSide::Both},           {"none", TabSide::None}};
   return std::ranges::find(kSides, word, &std::pair<std::string_view, TabSide>::first)->second;
+}
+
+// What a machine asks for. Mats and beds are those most sold; cutters hold the mat by its border.
+struct Machine {
+  std::string_view name, page, margin, style, text, perforation;
+  bool key;  // ruler and legend
+};
+constexpr Machine kMachines[] = {{"printer", "A4", "10mm", "paper", "text", "0", true},
+                                 {"cricut", "mat-12x12", "7mm", "laser", "outlines", "2mm,1mm", false},
+                                 {"silhouette", "mat-12x12", "10mm", "laser", "outlines", "2mm,1mm", false},
+                                 {"laser", "600x400mm", "5mm", "laser", "outlines", "0", false},
+                                 {"plotter", "A3", "15mm", "laser", "outlines", "0", false}};
+
+const Machine& machine(const PrintArgs& args) { return *std::ranges::find(kMachines, args.machine, &Machine::name); }
+
+Perforation perforation(const std::string& text) {
+  if (text == "0") return {};
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos)
+    throw InvalidOption(fmt::format("--perforation: '{}' is not CUT,GAP, as 2mm,1mm", text));
+  return {parse_length_mm(text.substr(0, comma)), parse_length_mm(text.substr(comma + 1))};
+}
+
+std::string or_else(const std::string& given, std::string_view otherwise) {
+  return given.empty() || given == "auto" ? std::string(otherwise) : given;
 }
 
 DrawStyle draw_style(const std::string& word) {
@@ -47,9 +73,16 @@ void add_print_options(Job& job, PrintArgs& args) {
               args.size.longest)
       .option("--scale", "K", "millimetres per unit of the model", args.scale)
       .choice("--up", "axis of the height", args.up, {"y", "z"})
-      .option("--page", "SIZE", "A5, A4, A3, A2, Letter, Legal, Tabloid or WIDTHxHEIGHT", args.page)
+      .choice("--for",
+              "who works on the pages: sets page, margin, style, text, perforation, ruler and legend, each of "
+              "which its own option overrules",
+              args.machine, {"printer", "cricut", "silhouette", "laser", "plotter"})
+      .option("--page", "SIZE",
+              "A0 to A8, B0 to B8, Letter, Legal, Tabloid, ... or WIDTHxHEIGHT; default A4, or the "
+              "mat of --for",
+              args.page)
       .flag("--landscape", "turn the page", args.landscape)
-      .length("--margin", "left free around each page", args.margin)
+      .option("--margin", "LENGTHS", "left free around each page; or top,right,bottom,left; default 10mm", args.margin)
       .length("--gap", "between parts", args.gap)
       .flag("--split", "cut parts that are too large for a page along folds", args.split)
       .choice("--tabs", "which side of a seam has the tab", args.tabs,
@@ -59,7 +92,13 @@ void add_print_options(Job& job, PrintArgs& args) {
       .flag("--no-labels", "leave out edge ids and part names", args.no_labels)
       .option("--label-size", "POINTS", "size of edge ids, made smaller down to 4 where needed", args.label_size)
       .option("--marks", "LIST", "start: a square where to begin; seam: strokes that meet; or both", args.marks)
-      .choice("--style", "colours and line weights", args.style, {"paper", "origami", "laser", "bw"})
+      .choice("--style", "colours and line weights", args.style, {"auto", "paper", "origami", "laser", "bw"})
+      .choice("--text", "letters as text, as outlines to draw or engrave, or none", args.text,
+              {"auto", "text", "outlines", "none"})
+      .option("--perforation", "CUT,GAP", "folds as rows of cuts with paper between them, as 2mm,1mm; 0: lines",
+              args.perforation)
+      .flag("--no-ruler", "leave out the ruler", args.no_ruler)
+      .flag("--no-legend", "leave out the legend", args.no_legend)
       .angle("--flat", "folds up to this angle count as flat and are hidden", args.flat)
       .flag("--show-flat-creases", "draw them all the same", args.show_flat_creases)
       .option("--title", "TEXT", "name beside the legend; default the file's", args.title);
@@ -70,10 +109,13 @@ LayoutOptions layout_options(const PrintArgs& args) {
   options.size = args.size;
   options.size.up = args.up[0];
   options.size.scale = args.scale;
-  options.page = {paper_size(args.page), args.margin};
+  const Machine& by = machine(args);
+  options.page = {paper_size(or_else(args.page, by.page)), parse_margins(or_else(args.margin, by.margin))};
   if (args.landscape != (options.page.size.x() > options.page.size.y()) && args.landscape)
     std::swap(options.page.size.x(), options.page.size.y());
   options.place.gap = args.gap;
+  const bool legend = by.key && !args.no_legend, ruler = by.key && !args.no_ruler;
+  options.place.key = legend ? KeyWish::All : ruler ? KeyWish::Ruler : KeyWish::None;
   options.tabs.side = tab_side(args.tabs);
   options.tabs.depth = args.tab_width;
   options.tabs.angle = args.tab_angle;
@@ -87,7 +129,16 @@ LayoutOptions layout_options(const PrintArgs& args) {
 }
 
 DrawOptions draw_options(const PrintArgs& args, const std::string& default_title) {
-  return {draw_style(args.style), args.show_flat_creases, args.title.empty() ? default_title : args.title};
+  const Machine& by = machine(args);
+  DrawOptions options{.style = draw_style(or_else(args.style, by.style)),
+                      .flat_creases = args.show_flat_creases,
+                      .title = args.title.empty() ? default_title : args.title,
+                      .perforation = perforation(or_else(args.perforation, by.perforation)),
+                      .ruler = !args.no_ruler};
+  const std::string text = or_else(args.text, by.text);
+  options.text = text == "none" ? TextForm::None : text == "outlines" ? TextForm::Outlines : TextForm::Text;
+  check(options);
+  return options;
 }
 
 nlohmann::json json_of(const LayoutReport& r) {

@@ -5,19 +5,21 @@
 #include <string>
 #include <vector>
 
-#include "job.h"
 #include "plico/fabricate/fabricate.h"
 #include "plico/io/page/drawing.h"
+#include "plico/workflow/jobs/job.h"
 
 namespace plico::jobs {
 
 struct PrintArgs {
-  std::string page = "A4", up = "y", tabs = "auto", style = "paper", title;
+  std::string page, margin, up = "y", tabs = "auto", style = "auto", text = "auto", perforation, machine = "printer",
+                            title;
   double scale = std::numeric_limits<double>::quiet_NaN();
-  double tab_width = 5, tab_angle = radians(45), gap = 3, margin = 10, flat = radians(0.5), label_size = 7;
+  double tab_width = 5, tab_angle = radians(45), gap = 3, flat = radians(0.5), label_size = 7;
   SizeOptions size;
   std::vector<std::string> marks;
-  bool landscape = false, split = false, no_labels = false, show_flat_creases = false;
+  bool landscape = false, split = false, no_labels = false, show_flat_creases = false, no_ruler = false,
+       no_legend = false;
 };
 
 void add_print_options(Job& job, PrintArgs& args);

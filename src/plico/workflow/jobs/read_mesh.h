@@ -2,9 +2,9 @@
 #pragma once
 #include <string>
 
-#include "job.h"
 #include "plico/io/mesh/mesh_file.h"
 #include "plico/mesh/mesh.h"
+#include "plico/workflow/jobs/job.h"
 #include "plico/workflow/jobs/session.h"
 
 namespace plico::jobs {

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "job.h"
 #include "plico/io/pattern/fold.h"
 #include "plico/io/pattern/imported_pattern.h"
+#include "plico/workflow/jobs/job.h"
 #include "plico/workflow/jobs/session.h"
 
 namespace plico::jobs {

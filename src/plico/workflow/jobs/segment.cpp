@@ -9,7 +9,9 @@
 #include "plico/base/error.h"
 #include "plico/io/mesh/face_groups.h"
 #include "plico/mesh/measures.h"
+#include "plico/segment/convexity.h"
 #include "plico/segment/given.h"
+#include "plico/verify/concavity.h"
 #include "plico/workflow/jobs/jobs.h"
 #include "plico/workflow/jobs/read_mesh.h"
 #include "plico/workflow/jobs/read_sheet.h"
@@ -24,8 +26,10 @@ using nlohmann::json;
 
 struct SegmentArgs {
   std::string mesh, by = "foldability", labels, motions, motion = "linear", repair = "safe", parts = "auto",
-                    method = "necks";
+                    method = "necks", names, symmetric = "off";
+  std::vector<std::string> keep, apart;
   SegmentOptions options;
+  ConvexityOptions convexity;
 };
 
 PartMotion part_motion(const std::string& word) {
@@ -39,8 +43,17 @@ PartMotion part_motion(const std::string& word) {
 void check_usage(const SegmentArgs& args) {
   if (args.by == "labels" && args.labels.empty()) throw InvalidOption("--by labels needs --labels FILE");
   if (args.by != "labels" && !args.labels.empty()) throw InvalidOption("--labels needs --by labels");
-  if (args.mesh == "-" && (args.labels == "-" || args.by == "groups"))
+  if (args.by != "foldability" && !(args.keep.empty() && args.apart.empty()))
+    throw InvalidOption("--keep and --apart need --by foldability");
+  if (args.mesh == "-" && (args.names == "-" || args.labels == "-" || args.by == "groups"))
     throw InvalidOption("only one of two files, read once, can be standard input");
+}
+
+FaceWishes face_wishes(const SegmentArgs& args) {
+  FaceWishes wishes;
+  for (const std::string& text : args.keep) wishes.keep.push_back(face_list(text, "keep"));
+  for (const std::string& text : args.apart) wishes.apart.push_back(face_list(text, "apart"));
+  return wishes;
 }
 
 // Faces of the file are counted before any repair: labels and groups are about these.
@@ -54,8 +67,15 @@ Segmentation by_file_groups(const Mesh& mesh, const FaceGroups& groups) {
 
 Segmentation parts_of(const Mesh& mesh, const SegmentArgs& args, Session& session) {
   if (args.by == "components") return by_components(mesh);
+  if (args.by == "convexity") return by_labels(mesh, cut_by_convexity(mesh, args.convexity, session.run()));
   if (args.by == "labels") return by_file_groups(mesh, read_face_labels(session.read(args.labels), args.labels));
   return by_file_groups(mesh, read_obj_groups(session.read(args.mesh), args.mesh));
+}
+
+// Of the diagonal, by the judge.
+double concavity(const Mesh& mesh, const Kit& result) {
+  const double size = diagonal(mesh);
+  return size > 0 ? concavity_bound(mesh, result.parts) / size : 0;
 }
 
 json report_of(const Mesh& mesh, const SegmentArgs& args, const Kit& result) {
@@ -68,6 +88,7 @@ json report_of(const Mesh& mesh, const SegmentArgs& args, const Kit& result) {
           {"ending", name(result.ending)},
           {"seam_length", seam},
           {"seam_in_diagonals", diagonal(mesh) > 0 ? seam / diagonal(mesh) : 0},
+          {"concavity", concavity(mesh, result)},
           {"net_valid", result.verdict.valid()},
           {"notes", result.notes},
           {"parts", parts_json(mesh, result)}};
@@ -85,15 +106,28 @@ std::string proof_text(const ProvenPart& part, const std::string& motion) {
                                 : fmt::format("net verified, no free {} motion found", motion);
 }
 
-void say_parts(const Session& session, const SegmentArgs& args, const Mesh& mesh, const Kit& result) {
+// The bound of --by convexity, as judged; up to the rounding of a depth.
+bool keeps_bound(const SegmentArgs& args, const json& report) {
+  return args.by != "convexity" || report["concavity"].get<double>() <= args.convexity.concavity + 1e-12;
+}
+
+std::string image_text(const Kit& kit, int part) {
+  if (kit.mirror.empty() || kit.mirror[part] < 0) return "";
+  if (kit.mirror[part] == part) return ", its own mirror image";
+  return fmt::format(", the mirror image of {}", kit.parts.names[kit.mirror[part]]);
+}
+
+void say_parts(const Session& session, const SegmentArgs& args, const json& report, const Kit& result) {
   const int n = result.parts.num_parts();
-  session.say(fmt::format("{} faces: {} {}, {} proven; seams {:.3g} diagonals", mesh.num_faces(), n,
-                          n == 1 ? "part" : "parts", result.num_proven(),
-                          report_of(mesh, args, result)["seam_in_diagonals"].get<double>()));
+  session.say(fmt::format("{} faces: {} {}, {} proven; seams {:.3g} diagonals", report["faces"].get<int>(), n,
+                          n == 1 ? "part" : "parts", result.num_proven(), report["seam_in_diagonals"].get<double>()));
+  if (args.by == "convexity")
+    session.say(fmt::format("no vertex lies deeper below the hull of its part than {:.3g} diagonals",
+                            report["concavity"].get<double>()));
   for (int i = 0; i < n; ++i)
     session.say(fmt::format("  {}: {} {}, {}", result.parts.names[i], result.part[i].net.sheet.num_faces(),
                             result.part[i].net.sheet.num_faces() == 1 ? "face" : "faces",
-                            proof_text(result.part[i], args.motion)));
+                            proof_text(result.part[i], args.motion) + image_text(result, i)));
   for (const std::string& note : result.notes) session.warn(note);
 }
 
@@ -117,16 +151,23 @@ int segment_file(SegmentArgs& args, Session& session) {
                         : args.method == "random" ? SegmentMethod::Random
                                                   : SegmentMethod::Necks;
   set_wish(args.options, args.parts);
+  args.options.faces = face_wishes(args);
+  args.options.symmetric = args.symmetric == "on"     ? Symmetry::On
+                           : args.symmetric == "auto" ? Symmetry::Auto
+                                                      : Symmetry::Off;
   check(args.options);
+  check(args.convexity);
   const std::vector<std::string> outputs = fold_outputs(session);
   if (!args.motions.empty()) session.make_folder(args.motions);
   const Mesh mesh = read_mesh(args.mesh, args.repair, session);
-  const Kit result = args.by == "foldability"
-                         ? segment_mesh(mesh, args.options, session.run())
-                         : make_kit(mesh, parts_of(mesh, args, session), args.options.prove, session.run());
-  session.report().update(report_of(mesh, args, result));
-  say_parts(session, args, mesh, result);
-  if (!result.verdict.valid()) return kInternal;
+  Kit result = args.by == "foldability"
+                   ? segment_mesh(mesh, args.options, session.run())
+                   : make_kit(mesh, parts_of(mesh, args, session), args.options.prove, session.run());
+  if (!args.names.empty()) name_parts(result.parts, session.read(args.names), args.names);
+  const json report = report_of(mesh, args, result);
+  session.report().update(report);
+  say_parts(session, args, report, result);
+  if (!result.verdict.valid() || !keeps_bound(args, report)) return kInternal;
   FoldFile file = parts_file(mesh, result);
   file.report = session.provenance().dump();
   for (const std::string& path : outputs) session.write(path, write_fold(file));
@@ -142,11 +183,12 @@ Job segment_job() {
   SegmentOptions& options = args->options;
   job.example("plico segment bird.obj -o bird.fold", "head, wings, legs: parts that come off at necks")
       .example("plico segment star.obj --parts fewest -o star.fold", "as few parts as are proven to fold")
+      .example("plico segment dog.obj --by convexity -o dog.fold", "parts that are nearly convex, as few as may be")
       .example("plico segment robot.obj --by components -o robot.fold", "one part for each piece of the model")
       .example("plico segment dog.obj --by groups -o dog.fold", "the groups of an OBJ file, with their names")
       .example("plico segment dog.obj --by labels --labels dog.seg -o dog.fold", "one label a line and a face")
       .positional("mesh", "OBJ, OFF, STL or PLY file; - for standard input", args->mesh)
-      .choice("--by", "what makes a part", args->by, {"foldability", "components", "groups", "labels"})
+      .choice("--by", "what makes a part", args->by, {"foldability", "convexity", "components", "groups", "labels"})
       .option("--parts", "WISH",
               "auto: cut at every good neck; fewest: cut only what does not fold in one piece; or a number",
               args->parts)
@@ -156,6 +198,14 @@ Job segment_job() {
               options.neck)
       .option("--max-parts", "N", "auto: at most so many parts, unless parts fail", options.max_parts)
       .option("--min-area", "SHARE", "of the surface, in the smallest part cut off at a neck", options.min_area)
+      .option("--concavity", "X",
+              "for --by convexity: how deep a vertex may lie below the hull of its part, as a share of the diagonal",
+              args->convexity.concavity)
+      .choice("--symmetric", "left and right alike, on meshes with a mirror plane; auto: where there is one",
+              args->symmetric, {"auto", "on", "off"})
+      .option("--keep", "FACES", "these stay in one part, such as 3,17-20; may be given again for others", args->keep)
+      .option("--apart", "FACES", "no two of these are in one part; may be given again for others", args->apart)
+      .option("--names", "FILE", "lines of a face and a name: the part with this face is called so", args->names)
       .option("--labels", "FILE", "for --by labels: one number or word a line, for each face", args->labels)
       .choice("--motion", "what must be proven free of collision for each part, besides its net", args->motion,
               {"linear", "uniform", "any", "none"})

@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "job.h"
+#include "plico/workflow/jobs/job.h"
 #include "plico/workflow/jobs/session.h"
 
 namespace plico::jobs {

@@ -1,16 +1,17 @@
 // plico shell: one convex piece for every part of a shape, no two of which overlap.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "plico/base/error.h"
-#include "plico/convex/shape_parts.h"
-#include "plico/io/mesh/face_groups.h"
 #include "plico/io/mesh/mesh_file.h"
 #include "plico/workflow/jobs/jobs.h"
+#include "plico/workflow/jobs/read_shape.h"
 #include "plico/workflow/jobs/session.h"
+#include "plico/workflow/jobs/share.h"
 #include "plico/workflow/shell_shape.h"
 
 namespace plico::jobs {
@@ -19,8 +20,9 @@ namespace {
 using nlohmann::json;
 
 struct ShellArgs {
-  std::string shape, by = "auto", labels, method = "full", nested = "drop";
+  std::string shape, by = "auto", labels, method = "full", nested = "drop", growth;
   ShellOptions options;
+  RemeshOptions remesh;
 };
 
 CutMethod cut_method(const std::string& word) {
@@ -42,20 +44,6 @@ void check_shell_usage(const ShellArgs& args) {
   if (args.by != "labels" && !args.labels.empty()) throw InvalidOption("--labels needs --by labels");
   if (args.shape == "-" && args.labels == "-")
     throw InvalidOption("only one of two files, read once, can be standard input");
-}
-
-// Groups of the file when there are several, otherwise what hangs together.
-std::vector<ShapePart> shape_parts(const ShellArgs& args, Session& session) {
-  const std::string bytes = session.read(args.shape);
-  const MeshSource source = read_mesh_source(bytes, args.shape);
-  const auto by = [&](const FaceGroups& groups) { return parts_by_groups(source.soup, groups.of_face, groups.names); };
-  if (args.by == "labels") return by(read_face_labels(session.read(args.labels), args.labels));
-  if (args.by == "groups") return by(read_obj_groups(bytes, args.shape));
-  if (args.by == "auto" && has_obj_groups(bytes)) {
-    const FaceGroups groups = read_obj_groups(bytes, args.shape);
-    if (groups.names.size() > 1) return by(groups);
-  }
-  return parts_by_components(source.soup);
 }
 
 json to_json(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
@@ -139,6 +127,43 @@ void print_shells(const std::vector<ShapePart>& parts, const ShellArgs& args, co
   session.print(fmt::format("verified   {}\n", verdict.valid() ? "convex and disjoint, exactly" : "no"));
 }
 
+json remesh_report(const std::vector<ShapePart>& parts, const JudgedRemeshing& judged) {
+  json list = json::array(), defects = json::array();
+  const Remeshing& remeshing = judged.remeshing;
+  for (std::size_t s = 0; s < remeshing.changes.size(); ++s) {
+    const RemeshedShell& change = remeshing.changes[s];
+    list.push_back({{"part", parts[remeshing.shells.shells[s].part].name},
+                    {"triangles_before", change.triangles_before},
+                    {"triangles", change.triangles},
+                    {"volume_before", change.volume_before},
+                    {"volume", change.volume},
+                    {"fatness_before", change.fatness_before},
+                    {"fatness", change.fatness}});
+  }
+  for (const Defect& defect : judged.verdict.defects)
+    defects.push_back({{"code", defect.code}, {"message", defect.message}});
+  return {{"ending", name(remeshing.ending)}, {"fatness_before", remeshing.fatness_before},
+          {"fatness", remeshing.fatness},     {"shells", std::move(list)},
+          {"defects", std::move(defects)},    {"valid", judged.verdict.valid()}};
+}
+
+void print_remeshing(const JudgedRemeshing& judged, Session& session) {
+  RemeshedShell sum;
+  double growth = 0;
+  for (const RemeshedShell& change : judged.remeshing.changes) {
+    sum.triangles_before += change.triangles_before;
+    sum.triangles += change.triangles;
+    growth = std::max(growth, change.volume / change.volume_before - 1);
+  }
+  session.print(fmt::format("remeshed   {} of {}, fatness {:.3f} of {:.3f}, a shell grew by at most {:.3g} %\n",
+                            counted(sum.triangles, "triangle"), sum.triangles_before, judged.remeshing.fatness,
+                            judged.remeshing.fatness_before, 100 * growth));
+  for (const Defect& defect : judged.verdict.defects)
+    session.print(fmt::format("  {}: {}\n", defect.code, defect.message));
+  session.print(
+      fmt::format("verified   {}\n", judged.verdict.valid() ? "convex, disjoint and around the shells" : "no"));
+}
+
 void check_output(const std::string& path) {
   if (path == "-" || mesh_format_of(path) == MeshFormat::Obj) return;
   throw InvalidOption(fmt::format("{} is no OBJ file, and other formats keep no names of parts", path), "name it .obj");
@@ -149,6 +174,19 @@ std::string default_shells_path(const std::string& shape) {
   return (mesh_format_of(shape) ? shape.substr(0, shape.rfind('.')) : shape) + ".shells.obj";
 }
 
+bool wants_remeshing(const ShellArgs& args) {
+  return args.remesh.faces != 0 || args.remesh.regularize != 0 || !args.growth.empty();
+}
+
+// A growth alone asks for as few triangles as it allows.
+RemeshOptions remesh_options(const ShellArgs& args) {
+  RemeshOptions options = args.remesh;
+  if (!args.growth.empty()) options.max_growth = share_or_number("max-growth", args.growth, 1);
+  if (!args.growth.empty() && options.faces == 0 && options.regularize == 0) options.faces = 4;
+  check(options);
+  return options;
+}
+
 int run_shell(const ShellArgs& args, Session& session) {
   check_shell_usage(args);
   ShellOptions options = args.options;
@@ -156,17 +194,30 @@ int run_shell(const ShellArgs& args, Session& session) {
   options.nested = nested_policy(args.nested);
   options.seed = session.seed();
   check(options);
+  const RemeshOptions remeshing = remesh_options(args);
   const std::vector<std::string> outputs = session.outputs(default_shells_path(args.shape));
   for (const std::string& path : outputs) check_output(path);
-  const std::vector<ShapePart> parts = shape_parts(args, session);
+  const std::vector<ShapePart> parts = read_shape_parts(args.shape, args.by, args.labels, session);
   const JudgedShells judged = shell_shape(parts, options, session.run());
   session.report().update(report_of(parts, args, judged));
   if (parts.size() == 1)
     session.say("the shape has one part, so its shell is its hull; groups of an OBJ file and --labels make more");
-  if (judged.verdict.valid())
-    for (const std::string& path : outputs) session.write(path, write_obj(shell_objects(parts, judged.shells)));
   print_shells(parts, args, judged, session);
-  return judged.verdict.valid() ? Session::exit_code(judged.shells.ending) : kNo;
+  if (!judged.verdict.valid()) return kNo;
+  if (!wants_remeshing(args)) {
+    for (const std::string& path : outputs) session.write(path, write_obj(shell_objects(parts, judged.shells)));
+    return Session::exit_code(judged.shells.ending);
+  }
+  const JudgedRemeshing remeshed = remesh_shells(judged.shells, remeshing, session.run());
+  session.report()["remeshing"] = remesh_report(parts, remeshed);
+  print_remeshing(remeshed, session);
+  if (!remeshed.verdict.valid()) return kNo;
+  for (const std::string& path : outputs)
+    session.write(path, write_obj(shell_objects(parts, remeshed.remeshing.shells)));
+  const bool enough = remeshed.remeshing.ending == Ending::Exhausted && args.remesh.faces == 0;
+  if (remeshed.remeshing.ending == Ending::Exhausted && !enough)
+    session.warn("a shell kept more triangles than --faces asks for; a larger --max-growth allows fewer");
+  return enough ? kDone : Session::exit_code(remeshed.remeshing.ending);
 }
 
 }  // namespace
@@ -194,6 +245,11 @@ Job shell_job() {
       .option("--svm-samples", "N", "points in each two parts; for svm", options.svm.samples)
       .option("--svm-penalty", "X", "of a point on the wrong side, with a union of volume 100; for svm",
               options.svm.penalty)
+      .option("--faces", "N", "merge triangles until a shell has no more; 0: do not", args->remesh.faces)
+      .option("--regularize", "K", "rounds in which vertices move, so that triangles become fatter",
+              args->remesh.regularize)
+      .option("--max-growth", "SHARE",
+              "of a shell's volume by these two: 5% or 0.05; alone: as few triangles as it allows", args->growth)
       .action([args](Session& session) { return run_shell(*args, session); });
 }
 

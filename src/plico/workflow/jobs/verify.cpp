@@ -18,7 +18,8 @@
 #include "plico/workflow/judge_motion.h"
 #include "plico/workflow/parts_file.h"
 #include "plico/workflow/plan_motion.h"
-#include "plico/workflow/stack_mesh.h"
+#include "plico/workflow/stack_motion.h"
+#include "plico/workflow/stack_views.h"
 
 namespace plico::jobs {
 namespace {
@@ -36,12 +37,6 @@ json to_json(const Overlaps& overlaps) {
   for (const OverlappingPair& pair : overlaps.listed)
     pairs.push_back({{"panels", {pair.a, pair.b}}, {"area", pair.area}});
   return {{"count", overlaps.count}, {"worst_area", overlaps.worst.area}, {"pairs", std::move(pairs)}};
-}
-
-json to_json(const std::vector<Defect>& defects) {
-  json list = json::array();
-  for (const Defect& defect : defects) list.push_back({{"code", defect.code}, {"message", defect.message}});
-  return list;
 }
 
 std::string lines_of(const std::vector<Defect>& defects) {
@@ -64,7 +59,7 @@ void report_net(Session& session, const NetVerdict& verdict) {
   report["mate_error"] = verdict.mate_error;
   report["angle_error_deg"] = degrees(verdict.angle_error);
   report["closing_error"] = verdict.closing_error;
-  report["defects"] = to_json(verdict.defects);
+  report["defects"] = defects_json(verdict.defects);
   report["valid"] = verdict.valid();
   report["net"] = verdict.is_net();
   session.print(fmt::format("net        {}, {}, {}\n", count(verdict.panels, "panel"), count(verdict.parts, "part"),
@@ -122,7 +117,7 @@ int verify_parts_file(const FoldFile& file, const PartsClaim& claim, const std::
   report["in_one_piece"] = verdict.in_one_piece;
   report["seam_edges"] = verdict.seam_edges;
   report["seam_length"] = verdict.seam_length;
-  report["part_defects"] = to_json(verdict.defects);
+  report["part_defects"] = defects_json(verdict.defects);
   report["valid"] = verdict.valid();
   session.print(fmt::format("parts      {}, {} with a net in one piece; seams of {}, {:.6g} long\n", verdict.parts,
                             verdict.in_one_piece, count(verdict.seam_edges, "edge"), verdict.seam_length));
@@ -186,7 +181,7 @@ int verify_motion_file(const FoldFile& file, const std::optional<Mesh>& mesh, co
   report["motion"] = motion_json(proof);
   report["short_of_goal_deg"] = degrees((file.path->waypoints.back().config - goal(linkage)).lpNorm<Eigen::Infinity>());
   report["progress"] = claims.share;
-  report["defects"] = to_json(claims.defects);
+  report["defects"] = defects_json(claims.defects);
   report["unchecked"] = claims.unchecked;
   const bool finished = claims.complete && !proof.interrupted;
   const bool valid = proof.verdict == PathVerdict::Free && claims.complete && claims.defects.empty();
@@ -218,8 +213,30 @@ int verify_kit_file(const FoldFile& file, const PartsClaim& claim, const VerifyA
   return std::max(moves, fits);
 }
 
+// That the motion in the file begins in the stack and keeps all panels apart, and that its points are where its angles
+// put them; said how far it goes.
+bool is_chain_motion_free(const FoldFile& file, const ChainClaim& claim, Session& session) {
+  ChainMotionVerdict verdict = judge_chain_motion(claim, *file.path, {}, session.run());
+  if (points_are_elsewhere(file, claim))
+    verdict.defects.push_back({"motion/points", "the points of a frame are not where its fold angles put them"});
+  const int hinges = static_cast<int>(claim.stack.size());
+  session.report()["motion"] = {
+      {"verdict", name(verdict.verdict)}, {"from", verdict.from}, {"panels", {verdict.panel_a, verdict.panel_b}},
+      {"opened", verdict.opened},         {"hinges", hinges},     {"defects", defects_json(verdict.defects)}};
+  std::string text = fmt::format("{} of {} hinges reach the shape", verdict.opened, hinges);
+  if (verdict.verdict == PathVerdict::Collides)
+    text = fmt::format("panels {} and {} collide at t = {:.6g}", verdict.panel_a, verdict.panel_b, verdict.from);
+  else if (verdict.verdict == PathVerdict::Free)
+    text += ", proven free of collision at every moment";
+  else
+    text += fmt::format(", undecided from t = {:.6g} on", verdict.from);
+  session.print(fmt::format("motion     {}\n", text));
+  session.print(lines_of(verdict.defects));
+  return verdict.free();
+}
+
 // A chain claims to fold into a closed shape of squares, and into a stack without two panels in one slot.
-int verify_chain_file(const ChainClaim& claim, Session& session) {
+int verify_chain_file(const FoldFile& file, const ChainClaim& claim, Session& session) {
   const ChainVerdict verdict = verify_chain(claim);
   json& report = session.report();
   report["kind"] = "chain";
@@ -228,21 +245,25 @@ int verify_chain_file(const ChainClaim& claim, Session& session) {
   report["ideal_layers"] = verdict.ideal;
   report["shape_error"] = verdict.shape_error;
   report["stack_error"] = verdict.stack_error;
-  report["defects"] = to_json(verdict.defects);
+  report["defects"] = defects_json(verdict.defects);
   report["valid"] = verdict.valid();
   session.print(fmt::format("chain      {}\n", count(verdict.panels, "panel")));
   session.print(fmt::format("shape      off by {:.2g} sides\n", verdict.shape_error));
   session.print(fmt::format("stack      {} x {} x {} layers, off by {:.2g} sides\n", verdict.width, verdict.depth,
                             verdict.height, verdict.stack_error));
   session.print(lines_of(verdict.defects));
-  session.print(fmt::format("verified   {}\n", verdict.valid() ? "yes" : "no"));
-  return verdict.valid() ? kDone : kNo;
+  const bool moves = !file.path || !verdict.valid() || is_chain_motion_free(file, claim, session);
+  const bool holds = verdict.valid() && moves;
+  report["valid"] = holds;
+  session.print(fmt::format("verified   {}\n", holds ? "yes" : "no"));
+  if (verdict.valid() && !holds && session.run().over()) return Session::exit_code(session.run().ending());
+  return holds ? kDone : kNo;
 }
 
 int verify_file(const VerifyArgs& args, Session& session) {
   if (args.file == "-" && args.mesh == "-") throw InvalidOption("only one of the two files can be standard input");
   const FoldFile file = read_sheet(args.file, session);
-  if (const std::optional<ChainClaim> chain = chain_claim(file)) return verify_chain_file(*chain, session);
+  if (const std::optional<ChainClaim> chain = chain_claim(file)) return verify_chain_file(file, *chain, session);
   const std::optional<PartsClaim> parts = parts_claim(file);
   switch (kind(file)) {
     case FoldKind::Net:

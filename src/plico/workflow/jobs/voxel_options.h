@@ -2,7 +2,7 @@
 #pragma once
 #include <string>
 
-#include "job.h"
+#include "plico/workflow/jobs/job.h"
 #include "plico/workflow/jobs/session.h"
 #include "plico/workflow/voxel_mesh.h"
 

@@ -26,6 +26,8 @@ nlohmann::json voxel_report(const VoxelMesh& voxels, const JudgedCycle& cycle) {
           {"other_pieces", voxels.other_pieces},
           {"rings", cycle.found.rings},
           {"cycles_left", cycle.found.left},
+          {"cycle_proven_none", cycle.proven_none},
+          {"path_verified", !cycle.path.empty() && cycle.verdict.valid()},
           {"cycle_verified", cycle.found.ending == Ending::Found && cycle.verdict.valid()},
           {"ending", name(cycle.found.ending)},
           {"notes", voxels.notes}};
@@ -41,8 +43,7 @@ void say_voxels(const Session& session, const VoxelMesh& voxels, const JudgedCyc
     session.print(
         fmt::format("cycle      through every square once, {}\n", cycle.verdict.valid() ? "verified" : "NOT verified"));
   else
-    session.print(
-        fmt::format("cycle      none found, {} cycles are left; --refine 2 makes sure of one\n", cycle.found.left));
+    session.print(fmt::format("cycle      {}\n", no_cycle_text(voxels, cycle)));
   for (const std::string& note : voxels.notes) session.warn(note);
   for (const std::string& problem : cycle.verdict.problems) session.warn(problem);
 }
@@ -57,7 +58,7 @@ int voxelize_file(const VoxelArgs& args, Session& session) {
   if (!cycle.verdict.valid()) return kInternal;
   const PolygonSoup surface = surface_of(voxels.shell, voxels.solid.origin, voxels.solid.side);
   for (const std::string& path : outputs) session.write(path, write_mesh(surface, output_format(path)));
-  return Session::exit_code(cycle.found.ending);
+  return cycle.walk().empty() ? Session::exit_code(cycle.found.ending) : kDone;
 }
 
 }  // namespace

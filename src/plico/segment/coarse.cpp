@@ -1,0 +1,116 @@
+#include "plico/segment/coarse.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "plico/geom/box_tree.h"
+#include "plico/mesh/measures.h"
+#include "plico/mesh/simplify.h"
+#include "plico/segment/given.h"
+#include "plico/segment/rearrange.h"
+
+namespace plico {
+namespace {
+
+constexpr int kCoarseFaces = 700;
+
+Mesh coarse_of(const Mesh& mesh) { return Mesh(simplified(Mesh(triangulated(mesh.soup())), {.faces = kCoarseFaces})); }
+
+// Centres stand for their faces: they are small, and seams are moved afterwards. A face looks the other way than the
+// one behind it, however thin the shape is.
+class NearestFace {
+ public:
+  explicit NearestFace(const Mesh& mesh) {
+    std::vector<Eigen::AlignedBox3d> boxes;
+    for (FaceId f : mesh.faces()) {
+      center_.push_back(center(mesh, f));
+      normal_.push_back(normal(mesh, f));
+      boxes.emplace_back(center_.back());
+    }
+    tree_.emplace(boxes);
+  }
+
+  int operator()(const Vec3& p, const Vec3& normal) const {
+    double least = std::numeric_limits<double>::infinity();
+    int nearest = 0;
+    tree_->nearest(p, [&](int i) {
+      const double distance = (center_[i] - p).norm();
+      if (normal_[i].dot(normal) < 0) return std::numeric_limits<double>::infinity();
+      if (distance < least) least = distance, nearest = i;
+      return distance;
+    });
+    return nearest;
+  }
+
+ private:
+  std::vector<Vec3> center_, normal_;
+  std::optional<BoxTree> tree_;
+};
+
+// All but the largest piece of every part go to the neighbour they share most seam with, until none is loose.
+std::vector<int> without_loose_pieces(const Mesh& mesh, const DualGraph& graph, std::vector<int> part) {
+  while (true) {
+    const std::vector<int> piece = connected_pieces(mesh, part);
+    std::map<int, double> area;
+    std::map<int, int> part_of, largest;
+    for (int f = 0; f < graph.num_faces(); ++f) area[piece[f]] += graph.area(f), part_of[piece[f]] = part[f];
+    for (const auto& [p, a] : area)
+      if (const auto [at, is_new] = largest.try_emplace(part_of[p], p); !is_new && a > area[at->second]) at->second = p;
+    std::map<int, std::map<int, double>> beside;  // of loose pieces: seam with each part
+    for (int f = 0; f < graph.num_faces(); ++f)
+      if (largest[part[f]] != piece[f])
+        for (const DualGraph::Arc& arc : graph.arcs(f))
+          if (piece[arc.to] != piece[f]) beside[piece[f]][part[arc.to]] += arc.distance;
+    if (beside.empty()) return part;
+    const auto& [loose, with] = *beside.begin();
+    const int to = std::max_element(with.begin(), with.end(), [](const auto& a, const auto& b) {
+                     return a.second < b.second;
+                   })->first;
+    for (int f = 0; f < graph.num_faces(); ++f)
+      if (piece[f] == loose) part[f] = to;
+  }
+}
+
+void smooth_seams(const DualGraph& graph, std::vector<int>& part) {
+  std::set<std::pair<int, int>> pairs;
+  for (int f = 0; f < graph.num_faces(); ++f)
+    for (const DualGraph::Arc& arc : graph.arcs(f))
+      if (part[f] < part[arc.to]) pairs.emplace(part[f], part[arc.to]);
+  for (const auto& [a, b] : pairs) {
+    std::vector<int> faces, side;
+    for (int f = 0; f < graph.num_faces(); ++f) {
+      if (part[f] == a || part[f] == b) faces.push_back(f);
+      if (part[f] == b) side.push_back(f);
+    }
+    if (side.empty() || side.size() == faces.size()) continue;
+    const std::optional<Neck> neck = smoothed_neck(graph, faces, side, {.min_area = 0});
+    if (!neck) continue;
+    // The smaller side is told; it keeps the number that most of it has.
+    const auto in_b = std::count_if(neck->side.begin(), neck->side.end(), [&](int f) { return part[f] == b; });
+    const bool is_b = 2 * in_b > static_cast<long>(neck->side.size());
+    for (int f : faces) part[f] = is_b ? a : b;
+    for (int f : neck->side) part[f] = is_b ? b : a;
+  }
+}
+
+}  // namespace
+
+std::vector<int> cut_limbs_of(const Mesh& mesh, const DualGraph& graph, const NeckCutOptions& options, const Run& run) {
+  const Components whole = components(mesh);
+  if (mesh.num_faces() < kCoarseFrom || whole.count > 1 || options.max_parts == 1)
+    return cut_limbs(graph, whole.of_face, options, run);
+  run.report("looking at the shape with fewer faces", 0);
+  const Mesh coarse = coarse_of(mesh);
+  const std::vector<int> coarse_part = cut_limbs(DualGraph(coarse), components(coarse).of_face, options, run);
+  const NearestFace nearest(coarse);
+  std::vector<int> part;
+  for (FaceId f : mesh.faces()) part.push_back(coarse_part[nearest(center(mesh, f), normal(mesh, f))]);
+  part = without_loose_pieces(mesh, graph, std::move(part));
+  smooth_seams(graph, part);
+  return connected_pieces(mesh, part);
+}
+
+}  // namespace plico

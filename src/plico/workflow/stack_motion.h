@@ -1,0 +1,36 @@
+// The motion of a stacked chain, from the stack through one pile to the shape: planned, and judged by
+// verify/chain_motion. Stack and motion are searched jointly: a chain that does not peel is cut elsewhere and stacked
+// anew.
+#pragma once
+#include "plico/io/pattern/fold.h"
+#include "plico/stack/unpack.h"
+#include "plico/verify/chain_motion.h"
+#include "plico/workflow/stack_mesh.h"
+
+namespace plico {
+
+struct StackMotionOptions {
+  std::uint64_t seed = 1;
+  bool to_shape = true;  // else only to the pile
+  int chains = 40;       // tried, at least 1: the given one, then others; each from both ends and upside down
+  PeelOptions peel = {.nodes = 30000};
+};
+
+struct StackMotion {
+  Ending ending = Ending::Exhausted;  // Found: all the way, and free
+  StackedChain chain;                 // the one that moves; others than the first may need more layers
+  FoldingPath path;                   // from its stack as far as it goes
+  ChainMotionVerdict verdict;
+  int chains = 0;        // tried
+  double share() const;  // of its hinges that reach the shape
+};
+
+// `first` is a stack of `voxels` as stack_voxels() makes it. There always is a result: the stack swung into one pile,
+// with the longest prefix of the shape that was found. Throws InvalidOption.
+StackMotion unpack_stack(const VoxelMesh& voxels, const StackedChain& first, const StackMeshOptions& stacking,
+                         const StackMotionOptions& options = {}, const Run& run = {});
+
+// The chain with its motion as frames.
+FoldFile chain_motion_file(const StackMotion& motion);
+
+}  // namespace plico

@@ -1,0 +1,56 @@
+#include "plico/fabricate/hand_measures.h"
+
+#include <gtest/gtest.h>
+
+#include "plico/shapes/named_shapes.h"
+
+namespace plico {
+namespace {
+
+// A strip of n unit squares joined by folds, or by cuts where told.
+Mesh strip(int n, double height) {
+  PolygonSoup soup;
+  for (int i = 0; i <= n; ++i)
+    for (double y : {0.0, height}) soup.points.emplace_back(i, y, 0);
+  for (int i = 0; i < n; ++i) soup.add_face({2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1});
+  return Mesh(soup);
+}
+
+Unfolding all_folded(const Mesh& mesh) {
+  FoldForest forest{std::vector<char>(mesh.num_edges(), 0)};
+  for (EdgeId e : mesh.edges()) forest.is_fold[e] = !mesh.is_boundary(e);
+  return lay_flat(mesh, forest);
+}
+
+TEST(HandMeasures, AStripFillsItsHullAndIsWeakWhereShortFoldsCarryMoreThanThreePanels) {
+  const Unfolding net = all_folded(strip(9, 1));
+  const HandMeasures at4 = measure_for_hands(net, 4), at6 = measure_for_hands(net, 6);
+  EXPECT_NEAR(at4.hull_area, 9 * 16, 1e-9);
+  EXPECT_NEAR(at4.left_over(), 0, 1e-9);
+  EXPECT_NEAR(at4.shortest_carrying, 4, 1e-12);
+  EXPECT_EQ(at4.weak, 2);  // 4 | 5 and 5 | 4 panels
+  EXPECT_EQ(at6.weak, 0);
+  EXPECT_EQ(measure_for_hands(all_folded(strip(7, 1)), 4).weak, 0);  // no fold has four panels on both sides
+}
+
+TEST(HandMeasures, NeedlesHangByTheirShortSideOnlyIfALongOneCouldFold) {
+  EXPECT_EQ(measure_for_hands(all_folded(strip(3, 0.2)), 10).needles, 0);  // long sides are the mesh's boundary
+  const Mesh two = [] {
+    PolygonSoup soup;
+    soup.points = {{0, 0, 0}, {4, 0, 0}, {4, 1, 0}, {0, 1, 0}, {5, 0.5, 0}, {4, -1, 0}, {0, -1, 0}};
+    soup.add_face({0, 1, 2, 3});
+    soup.add_face({1, 4, 2});
+    soup.add_face({0, 6, 5, 1});
+    return Mesh(soup);
+  }();
+  FoldForest forest{std::vector<char>(two.num_edges(), 0)};
+  for (EdgeId e : two.edges())
+    if (!two.is_boundary(e) && std::abs(two.point(two.from(two.halfedge(e))).x() - 4) < 1e-9 &&
+        std::abs(two.point(two.to(two.halfedge(e))).x() - 4) < 1e-9)
+      forest.is_fold[e] = 1;
+  EXPECT_EQ(measure_for_hands(lay_flat(two, forest), 10).needles, 1);  // the loose one hangs by nothing
+  EXPECT_EQ(measure_for_hands(all_folded(two), 10).needles, 0);
+}
+
+}  // namespace
+}  // namespace plico
