@@ -7,6 +7,7 @@
 #include "plico/origami/continuation.h"
 #include "plico/origami/crease_groups.h"
 #include "plico/origami/discrete_states.h"
+#include "plico/origami/facets.h"
 #include "plico/origami/md_frog.h"
 #include "plico/origami/patterns.h"
 #include "plico/origami/reuse.h"
@@ -25,7 +26,7 @@ std::string verdict(const PathProof& proof) { return std::string(plico::name(pro
 PathProof proven(const CreasePattern& sheet, const FoldingPath& path) {
   const Linkage linkage = make_linkage(sheet);
   if (!linkage.has_loops()) return prove_path(linkage, path);
-  return prove_path(linkage, refine_path(sheet, path, default_clearance(linkage) / 5));
+  return prove_path(linkage, refine_path(linkage, path, default_clearance(linkage) / 5));
 }
 
 // Time in [Xi17] with FROG or MD-FROG, and its number of creases.
@@ -78,10 +79,7 @@ void md_frog_row(Table& table, const Row31& row) {
 void default_row(Table& table, const Row31& row) {
   MotionOutcome found;
   const Linkage linkage = make_linkage(row.sheet);
-  const double time = seconds([&] {
-    found = linkage.has_loops() ? plan_origami(row.sheet, {}, limited({}, kLimit))
-                                : plan_motion(linkage, {}, limited({}, kLimit));
-  });
+  const double time = seconds([&] { found = plan_origami(row.sheet, {}, limited({}, kLimit)); });
   const bool any = !found.motions.empty();
   table.row({row.name,
              row.printed_creases,
@@ -140,13 +138,13 @@ void tessellation_rows(Table& table, const Row33& row) {
   const CreaseGroups groups = crease_groups(row.sheet);
   const std::string vertices = fmt::format("{}/{}", groups.type.size(), groups.essential.size());
   for (int k = 0; k < 3; ++k) {
-    ContinuationOptions options{.frames = row.frames, .hold_flat_facets = true};
+    ContinuationOptions options{.frames = row.frames};
     if (k > 0) options.groups = groups.group;
     if (k > 1) options.essential = groups.essential;
     ContinuationResult found;
-    const double time = seconds([&] { found = continue_to_goal(row.sheet, options); });
+    const double time = seconds([&] { found = continue_to_goal(with_flat_creases_held(row.sheet), options); });
     options.check_collisions = false;
-    const double without = seconds([&] { continue_to_goal(row.sheet, options); });
+    const double without = seconds([&] { continue_to_goal(with_flat_creases_held(row.sheet), options); });
     const WaypointCheck check = check_waypoints(row.sheet, found.path);
     const char* names[] = {"every crease", "groups", "groups, essential"};
     table.row({row.name, vertices, k == 0 ? make_linkage(row.sheet).num_hinges() : groups.num_moving, names[k], time,
@@ -159,8 +157,7 @@ void tessellation_rows(Table& table, const Row33& row) {
 void reuse_row(Table& table, const std::string& name, const CreasePattern& small, const CreasePattern& large) {
   const CreaseGroups groups = crease_groups(small);
   ContinuationResult full, few;
-  const double planning_all =
-      seconds([&] { full = continue_to_goal(large, {.frames = 20, .hold_flat_facets = true}); });
+  const double planning_all = seconds([&] { full = continue_to_goal(with_flat_creases_held(large), {.frames = 20}); });
   const double planning = seconds(
       [&] { few = continue_to_goal(small, {.frames = 20, .groups = groups.group, .essential = groups.essential}); });
   FoldingPath path;
@@ -181,7 +178,7 @@ double peak_mib() {
 void large_row(Table& table, const std::string& name, const CreasePattern& sheet, int frames) {
   const Linkage linkage = make_linkage(sheet);
   ContinuationResult found;
-  const double time = seconds([&] { found = continue_to_goal(sheet, {.frames = frames, .hold_flat_facets = true}); });
+  const double time = seconds([&] { found = continue_to_goal(with_flat_creases_held(sheet), {.frames = frames}); });
   const Tear torn = tear(sheet, linkage, found.path.waypoints.back().config);
   PathProof proof;
   const double proving = seconds([&] { proof = proven(sheet, found.path); });

@@ -1,5 +1,5 @@
-// Repeatable randomness: a stream belongs to (seed, purpose, index), never to a thread or a clock. The distributions
-// are ours because the standard ones differ between vendors.
+// Repeatable randomness: a stream belongs to a seed and an index, never to a thread or a clock; several purposes of one
+// seed are numbered, stream(purpose).stream(index). The distributions are ours: the standard ones differ among vendors.
 #pragma once
 #include <cstdint>
 
@@ -9,7 +9,7 @@ class Rng {
  public:
   explicit Rng(std::uint64_t seed);
 
-  // An independent stream for item `index` of one purpose; does not change this one.
+  // An independent stream for item `index`; does not change this one.
   Rng stream(std::uint64_t index) const;
 
   std::uint64_t next();                     // 64 random bits (xoshiro256++, Blackman and Vigna 2019)

@@ -18,6 +18,20 @@ Configuration FoldingPath::at(double time) const {
   return (1 - s) * a.config + s * b.config;
 }
 
+int waypoint_beyond_limits(const Linkage& linkage, const FoldingPath& path) {
+  const auto beyond = [&](const Waypoint& w) { return hinge_beyond_limits(linkage, w.config, kLimitRounding) >= 0; };
+  const auto first = std::find_if(path.waypoints.begin(), path.waypoints.end(), beyond);
+  return first == path.waypoints.end() ? -1 : static_cast<int>(first - path.waypoints.begin());
+}
+
+void require_within_limits(const Linkage& linkage, const FoldingPath& path) {
+  const int at = waypoint_beyond_limits(linkage, path);
+  if (at < 0) return;
+  const Waypoint& waypoint = path.waypoints[at];
+  require_within_limits(linkage, waypoint.config, fmt::format("at t = {:.4g} the motion", waypoint.time),
+                        kLimitRounding);
+}
+
 FoldingPath linear_path(const Linkage& linkage) { return {{{0, flat(linkage)}, {1, goal(linkage)}}}; }
 
 FoldingPath uniform_path(const Linkage& linkage) {

@@ -19,6 +19,14 @@ struct FoldingPath {
   Configuration at(double time) const;  // clamped to [0, 1]. O(log waypoints + hinges)
 };
 
+// The first waypoint at which a hinge is beyond its limits by more than kLimitRounding, -1 for none. Between two
+// waypoints within the limits all angles are.
+int waypoint_beyond_limits(const Linkage& linkage, const FoldingPath& path);
+
+// Throws InvalidInput "fold/limits" when there is one: who shows or writes a motion does not show what the material
+// cannot do.
+void require_within_limits(const Linkage& linkage, const FoldingPath& path);
+
 // Straight from flat to goal: all creases arrive together.
 FoldingPath linear_path(const Linkage& linkage);
 

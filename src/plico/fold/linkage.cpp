@@ -109,9 +109,10 @@ Linkage make_linkage(const CreasePattern& sheet, const std::vector<int>& mate, i
     const Crease& crease = sheet.edges[e];
     if (!is_hinge(crease, sides[e])) continue;
     linkage.hinges.push_back({sides[e].left, sides[e].right, lift(crease.a), lift(crease.b), crease.fold_angle,
-                              -crease.limit, crease.limit});
+                              -crease.limit, crease.limit, 0, e, crease.a, crease.b});
   }
   grow_trees(linkage, base);
+  if (linkage.has_loops()) linkage.loops = real_vertices(sheet);
   add_seams(linkage, sheet, mate);
   return linkage;
 }
@@ -174,10 +175,46 @@ double share_of_way(const Linkage& linkage, const Configuration& config) {
   return whole > 0 ? 1 - std::sqrt(rest / whole) : 1;
 }
 
+Configuration lower_limits(const Linkage& linkage) {
+  Configuration limits(linkage.num_hinges());
+  for (int h = 0; h < linkage.num_hinges(); ++h) limits[h] = linkage.hinges[h].low;
+  return limits;
+}
+
+Configuration upper_limits(const Linkage& linkage) {
+  Configuration limits(linkage.num_hinges());
+  for (int h = 0; h < linkage.num_hinges(); ++h) limits[h] = linkage.hinges[h].high;
+  return limits;
+}
+
 int hinge_beyond_limits(const Linkage& linkage, const Configuration& config, double slack) {
+  PLICO_ASSERT(config.size() == linkage.num_hinges());
   for (int h = 0; h < linkage.num_hinges(); ++h)
     if (config[h] < linkage.hinges[h].low - slack || config[h] > linkage.hinges[h].high + slack) return h;
   return -1;
+}
+
+void require_within_limits(const Linkage& linkage, const Configuration& config, std::string_view what, double slack) {
+  const int h = hinge_beyond_limits(linkage, config, slack);
+  if (h < 0) return;
+  const Hinge& hinge = linkage.hinges[h];
+  throw InvalidInput("fold/limits", fmt::format("{} folds panels {} and {} by {:.4g} degrees, the limit is {:.4g}",
+                                                what, hinge.left, hinge.right, degrees(std::abs(config[h])),
+                                                degrees(std::abs(config[h] > hinge.high ? hinge.high : hinge.low))));
+}
+
+std::string tell_hinge(const Linkage& linkage, int hinge) {
+  const Hinge& h = linkage.hinges[hinge];
+  if (h.edge < 0) return fmt::format("hinge {} (panels {}-{})", hinge, h.left, h.right);
+  const Vec3 middle = (h.from + h.to) / 2;
+  return fmt::format("crease {} (vertices {}-{}, near {:.6g} {:.6g})", h.edge, h.a, h.b, middle.x(), middle.y());
+}
+
+std::string tell_vertex(const Linkage& linkage, int vertex) {
+  const auto at = std::find_if(linkage.loops.begin(), linkage.loops.end(),
+                               [&](const RealVertex& loop) { return loop.vertex == vertex; });
+  if (at == linkage.loops.end()) return "no vertex";
+  return fmt::format("vertex {} ({:.6g}, {:.6g})", vertex, at->place.x(), at->place.y());
 }
 
 Pose turn(const Hinge& hinge, double fold_angle, bool right_moves) {

@@ -1,10 +1,13 @@
 // Rigid panels joined at hinges: what every net, crease pattern and strip becomes before it moves. Kinematics,
 // collision, proof, planners, viewer and exporters are written once, for linkages, and cannot tell which they hold.
 #pragma once
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "plico/base/vec.h"
 #include "plico/fold/crease_pattern.h"
+#include "plico/fold/real_vertices.h"
 
 namespace plico {
 
@@ -20,6 +23,7 @@ struct Hinge {
   // about the line in which the panels will touch: t/2 before from -> to, and t/2 above the mid-plane of the panel at
   // rest for valleys, below it for mountains. So its free length is t cos(a/2), then t sin(a/2) (eq. 6.1, read as R11).
   double roll = 0;
+  int edge = -1, a = -1, b = -1;  // of the sheet that it came from, and its vertices; -1: of none
 };
 
 // The motion of one panel of a hinge, seen from the other, which carries it from flat to a fold angle.
@@ -34,7 +38,8 @@ struct Linkage {
   // The tree along which panels are placed, roots first: `order` lists the panels; parent_hinge[p] leads from
   // parent_panel[p] to p and is -1 for a root. A hinge outside the tree closes a loop.
   std::vector<int> order, parent_panel, parent_hinge;
-  std::vector<int> loop_hinges;  // hinges that are not in the tree, ascending
+  std::vector<int> loop_hinges;   // hinges that are not in the tree, ascending
+  std::vector<RealVertex> loops;  // of a thin sheet: what must close, as real_vertices() lists it; empty for trees
 
   // Pairs of sides that are glued at the goal: panel and side index (side i runs from outline[i] to outline[i + 1]).
   struct Seam {
@@ -71,8 +76,23 @@ Configuration goal(const Linkage& linkage);
 // state, both over the hinges that are to fold (target not 0); 1 when there are none. At most 1; below 0 beyond flat.
 double share_of_way(const Linkage& linkage, const Configuration& config);
 
+// The limits of all hinges, radians.
+Configuration lower_limits(const Linkage& linkage);
+Configuration upper_limits(const Linkage& linkage);
+
+inline constexpr double kLimitRounding = 1e-6;  // radians, that an angle written to a file may lie beyond its limit
+
 // A hinge whose angle in `config` lies beyond its limits by more than `slack` radians, -1 for none.
 int hinge_beyond_limits(const Linkage& linkage, const Configuration& config, double slack = 1e-9);
+
+// Throws InvalidInput "fold/limits" when there is one. `what` is the subject of the sentence: "the goal".
+void require_within_limits(const Linkage& linkage, const Configuration& config, std::string_view what,
+                           double slack = 1e-9);
+
+// For messages: "crease 5 (vertices 2-3, near 1 0.5)" of the sheet, or "hinge 7 (panels 2-3)" of a linkage without; the
+// real vertex "vertex 4 (1, 0.5)", "no vertex" for none.
+std::string tell_hinge(const Linkage& linkage, int hinge);
+std::string tell_vertex(const Linkage& linkage, int vertex);
 
 // The rigid motion that carries each panel from the flat state to `config`, roots at rest (eq. 2.3, read as R3). Loops
 // are not closed here: a foldable configuration agrees on them by itself. O(panels).

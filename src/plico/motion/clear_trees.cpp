@@ -233,7 +233,7 @@ class Enumeration {
 
 ClearTrees find_clear_trees(const PanelKit& kit, const ClearTreesOptions& options,
                             const std::function<bool(const std::vector<char>& joined)>& visit, const Run& run) {
-  if (options.samples < 1) throw InvalidOption(fmt::format("samples = {} must be at least 1", options.samples));
+  require(options.samples >= 1, "samples", options.samples, "at least 1");
   return Enumeration(kit, options, visit, run).run();
 }
 

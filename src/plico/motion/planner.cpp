@@ -216,10 +216,8 @@ std::string_view name(Planner planner) {
 }
 
 void check(const PlannerOptions& options) {
-  if (!(options.resolution > 0) || options.resolution > 1)
-    throw InvalidOption(fmt::format("resolution = {} must be in (0, 1]", options.resolution));
-  if (options.max_states < 0)
-    throw InvalidOption(fmt::format("max_states = {} must be at least 0", options.max_states));
+  require(options.resolution > 0 && options.resolution <= 1, "resolution", options.resolution, "in (0, 1]");
+  require(options.max_states >= 0, "max states", options.max_states, "at least 0");
 }
 
 long most_states(const Linkage& linkage) {
@@ -228,6 +226,7 @@ long most_states(const Linkage& linkage) {
 
 PlannedPath plan_path(const Linkage& linkage, const PlannerOptions& options, const Run& run) {
   check(options);
+  require_within_limits(linkage, goal(linkage), "the goal");
   BoundedChecker checker(linkage, options.clearance, options.max_states > 0 ? options.max_states : most_states(linkage),
                          run);
   PlannedPath result;
@@ -278,7 +277,7 @@ bool blends_freely(const Linkage& linkage, const FoldingPath& a, const FoldingPa
 }
 
 ValidRatio valid_ratio(const Linkage& linkage, int samples, std::uint64_t seed, double clearance) {
-  if (samples < 1) throw InvalidOption(fmt::format("samples = {} must be at least 1", samples));
+  require(samples >= 1, "samples", samples, "at least 1");
   CollisionChecker checker(linkage, {.clearance = clearance});
   const Rng rng(seed);
   const Configuration target = goal(linkage);

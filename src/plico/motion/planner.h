@@ -34,6 +34,7 @@ struct PlannedPath {
 // Searches backward, from the folded state, because that end is the narrow one; the path runs from flat to goal. Gives
 // up after max_states. Samples are folded creases picked at random, evenly, from the tips of the tree inward, or from
 // its root outward; samples that collide are dropped. Uses OMPL, each planner with a seed of its own.
+// Throws InvalidInput "fold/limits" for a goal beyond the limits of a hinge: angles stay between flat and the goal.
 PlannedPath plan_path(const Linkage& linkage, const PlannerOptions& options = {}, const Run& run = {});
 
 // OMPL tells what it does on standard output, through a handler of the whole process, which is the program's to set and

@@ -24,12 +24,12 @@ void check(const ApproachOptions& o) {
 
 class Approach {
  public:
-  Approach(const CreasePattern& sheet, const ApproachOptions& options, const Run& run)
+  Approach(const Linkage& linkage, const ApproachOptions& options, const Run& run)
       : options_(options),
         run_(run),
-        linkage_(make_linkage(sheet)),
+        linkage_(linkage),
         goal_(goal(linkage_)),
-        projector_(sheet),
+        projector_(linkage),
         checker_(linkage_, options.collision),
         max_move_(kPi / options.frames) {
     const int creases = linkage_.num_hinges();
@@ -132,6 +132,7 @@ class Approach {
       result.panels = checker_.collisions(found.config).front();
       return {};
     }
+    PLICO_ASSERT(hinge_beyond_limits(linkage_, found.config) < 0);
     result.worst_residual = std::max(result.worst_residual, found.closure.worst);
     return std::move(found.config);
   }
@@ -160,7 +161,7 @@ class Approach {
 
   const ApproachOptions& options_;
   const Run& run_;
-  Linkage linkage_;
+  const Linkage& linkage_;
   Configuration goal_;
   Projector projector_;
   CollisionChecker checker_;
@@ -171,10 +172,11 @@ class Approach {
 
 }  // namespace
 
-ContinuationResult approach_goal(const CreasePattern& sheet, const FoldingPath& begun, const ApproachOptions& options,
+ContinuationResult approach_goal(const Linkage& linkage, const FoldingPath& begun, const ApproachOptions& options,
                                  const Run& run) {
   check(options);
-  return Approach(sheet, options, run).descend(begun);
+  require_closable(linkage);
+  return Approach(linkage, options, run).descend(begun);
 }
 
 }  // namespace plico

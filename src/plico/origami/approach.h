@@ -22,7 +22,11 @@ struct ApproachOptions {
 // no step comes nearer (GoalOpen when the goal does not close, else Locked), at a collision, or after max_waypoints
 // (Obstacle::None, Exhausted). The path goes on from `begun`, its times are lengths of the way, 1 at the end;
 // `progress` is share_of_way. Deterministic. O(waypoints) projections and collision checks.
-ContinuationResult approach_goal(const CreasePattern& sheet, const FoldingPath& begun,
-                                 const ApproachOptions& options = {}, const Run& run = {});
+ContinuationResult approach_goal(const Linkage& linkage, const FoldingPath& begun, const ApproachOptions& options = {},
+                                 const Run& run = {});
+inline ContinuationResult approach_goal(const CreasePattern& sheet, const FoldingPath& begun,
+                                        const ApproachOptions& options = {}, const Run& run = {}) {
+  return approach_goal(make_linkage(sheet), begun, options, run);
+}
 
 }  // namespace plico

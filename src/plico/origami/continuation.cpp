@@ -13,20 +13,13 @@ namespace {
 constexpr double kSignTolerance = 1e-7;  // radians: noise of a crease that is flat at the moment
 constexpr double kGoalTolerance = 1e-9;  // radians: residual of a goal that closes
 
-void check(const ContinuationOptions& o, int num_creases) {
+void check(const ContinuationOptions& o) {
   require(o.frames >= 1, "frames", o.frames, "at least 1");
   require(o.first_step > 0 && o.first_step <= 1, "first step", o.first_step, "in (0, 1]");
   require(o.min_progress > 0, "min progress", o.min_progress, "above 0");
   require(o.max_move > 0, "max move", o.max_move, "above 0");
   require(o.goal_slack >= 0, "goal slack", o.goal_slack, "at least 0");
-  require(o.max_fold_angle > 0 && o.max_fold_angle <= kPi, "max fold angle", o.max_fold_angle, "in (0, pi]");
-  if (!o.max_fold_angles.empty() && static_cast<int>(o.max_fold_angles.size()) != num_creases)
-    throw InvalidOption(
-        fmt::format("max fold angles = {} must be one for each of {} creases", o.max_fold_angles.size(), num_creases));
-  for (const Configuration& limits : {o.projection.low, o.projection.high})
-    if (limits.size() != 0 && limits.size() != num_creases)
-      throw InvalidOption(fmt::format("limits = {} must be one for each of {} creases", limits.size(), num_creases));
-  for (double angle : o.max_fold_angles) require(angle > 0 && angle <= kPi, "max fold angle", angle, "in (0, pi]");
+  require(o.tolerance > 0, "tolerance", o.tolerance, "above 0");
 }
 
 // Near flat a crease of a flat-foldable vertex turns in proportion to the tangent of half its goal.
@@ -72,9 +65,8 @@ class Groups {
 
   int size() const { return static_cast<int>(first_.size()); }
   int first(int group) const { return first_[group]; }
-  std::vector<RealVertex> loops(const CreasePattern& sheet, const std::vector<int>& essential) const {
-    std::vector<RealVertex> all = real_vertices(sheet);
-    if (essential.empty()) return grouped(std::move(all), group_, sign_);
+  std::vector<RealVertex> loops(const std::vector<RealVertex>& all, const std::vector<int>& essential) const {
+    if (essential.empty()) return grouped(all, group_, sign_);
     std::vector<RealVertex> some;
     for (int v : essential) {
       if (v < 0 || v >= static_cast<int>(all.size()))
@@ -107,18 +99,17 @@ class Groups {
 
 class Continuation {
  public:
-  Continuation(const CreasePattern& sheet, const Linkage& linkage, const ContinuationOptions& options, const Run& run)
+  Continuation(const Linkage& linkage, const ContinuationOptions& options, const Run& run)
       : options_(options),
         run_(run),
         groups_(linkage, options.groups),
-        projector_(groups_.loops(sheet, options.essential), groups_.size()),
-        projection_(options.projection),
+        projector_(groups_.loops(linkage.loops, options.essential), groups_.size()),
         goal_(groups_.goals(linkage)),
         checker_(linkage, options.collision),
         vertices_of_(groups_.size()) {
     for (const RealVertex& vertex : projector_.vertices())
       for (int g : vertex.hinges) vertices_of_[g].push_back(vertex.vertex);
-    set_limits(sheet, linkage);
+    set_limits(linkage);
   }
 
   ContinuationResult plan() {
@@ -141,22 +132,12 @@ class Continuation {
   }
 
  private:
-  void set_limits(const CreasePattern& sheet, const Linkage& linkage) {
-    projection_.low = Configuration::Constant(groups_.size(), -options_.max_fold_angle);
+  void set_limits(const Linkage& linkage) {
+    projection_.tolerance = options_.tolerance;
+    projection_.low = Configuration::Constant(groups_.size(), -kPi);
     projection_.high = -projection_.low;
-    for (int h = 0; h < linkage.num_hinges(); ++h) {
-      const double most = options_.max_fold_angles.empty() ? kPi : options_.max_fold_angles[h];
-      groups_.limit(h, std::max(-most, linkage.hinges[h].low), std::min(most, linkage.hinges[h].high), projection_);
-      const ProjectOptions& given = options_.projection;
-      groups_.limit(h, given.low.size() ? given.low[h] : -kPi, given.high.size() ? given.high[h] : kPi, projection_);
-    }
-    if (!options_.hold_flat_facets) return;
-    const std::vector<int> hinge = hinge_of_edge(sheet);
-    for (int e = 0; e < sheet.num_edges(); ++e) {
-      const Assignment a = sheet.edges[e].assignment;
-      if (hinge[e] >= 0 && sheet.edges[e].fold_angle == 0 && (a == Assignment::Flat || a == Assignment::Join))
-        groups_.limit(hinge[e], 0, 0, projection_);
-    }
+    for (int h = 0; h < linkage.num_hinges(); ++h)
+      groups_.limit(h, linkage.hinges[h].low, linkage.hinges[h].high, projection_);
   }
 
   // Clamps the goal and makes it close; false when no form near it does.
@@ -185,6 +166,7 @@ class Continuation {
     Configuration config = start;
     Configuration correction = Configuration::Zero(config.size());  // per unit of progress: what the last step was off
     const auto accept = [&](const Frame& frame, double next) {
+      PLICO_ASSERT(next > result.progress && next <= 1);
       correction = (frame.projection.config - frame.guess) / (next - result.progress);
       config = frame.projection.config;
       result.worst_residual = std::max(result.worst_residual, frame.projection.closure.worst);
@@ -317,30 +299,33 @@ std::string_view name(Obstacle obstacle) {
   return "none";
 }
 
-std::string describe(const ContinuationResult& r) {
-  switch (r.obstacle) {
+std::string describe(const Linkage& linkage, const ContinuationResult& result) {
+  const std::string where = fmt::format("{:.3g} %", 100 * result.progress);
+  switch (result.obstacle) {
     case Obstacle::None:
       return {};
     case Obstacle::GoalOpen:
-      return fmt::format("not rigid: the goal opens by {:.3g} rad at vertex {}", r.residual, r.vertex);
+      return fmt::format("not rigid: the goal stays open by {:.3g} rad at {}", result.residual,
+                         tell_vertex(linkage, result.vertex));
     case Obstacle::Locked:
-      if (r.hinge < 0)
-        return fmt::format("not rigid: locked in frame {}, where the way to the goal opens vertex {} by {:.3g} rad",
-                           r.frame(), r.vertex, r.residual);
-      return fmt::format("locked at vertex {} in frame {}: crease {} would have to jump", r.vertex, r.frame(), r.hinge);
+      if (result.hinge >= 0)
+        return fmt::format("locked at {} of the way: {} would have to jump", where, tell_hinge(linkage, result.hinge));
+      return fmt::format("not rigid: locked at {} of the way; going on opens {} by {:.3g} rad", where,
+                         tell_vertex(linkage, result.vertex), result.residual);
     case Obstacle::WrongSide:
-      return fmt::format("left the mountain-valley branch at vertex {} (crease {}) in frame {}", r.vertex, r.hinge,
-                         r.frame());
+      return fmt::format("left the branch at {} of the way: {} would turn against its goal", where,
+                         tell_hinge(linkage, result.hinge));
     case Obstacle::Collision:
-      return fmt::format("collides in frame {}: panels {}, {}", r.frame(), r.panels.a, r.panels.b);
+      return fmt::format("collides after {} of the way, in frame {}: panels {}, {}", where,
+                         result.path.waypoints.size(), result.panels.a, result.panels.b);
   }
   return {};
 }
 
-ContinuationResult continue_to_goal(const CreasePattern& sheet, const ContinuationOptions& options, const Run& run) {
-  const Linkage linkage = make_linkage(sheet);
-  check(options, linkage.num_hinges());
-  return Continuation(sheet, linkage, options, run).plan();
+ContinuationResult continue_to_goal(const Linkage& linkage, const ContinuationOptions& options, const Run& run) {
+  check(options);
+  require_closable(linkage);
+  return Continuation(linkage, options, run).plan();
 }
 
 }  // namespace plico

@@ -18,21 +18,15 @@ struct ContinuationOptions {
   double max_move = 0.5;       // radians a fold angle may turn in one frame; above 0
   double goal_slack = 1e-2;    // radians a fold angle of the goal may turn to make the goal close; at least 0
 
-  // Largest fold angles that the material bears, radians in (0, pi]: of all creases, and of each (one per hinge, or
-  // empty). Goals beyond are clamped, the clamped goal is projected within the limits, and every waypoint keeps them.
-  double max_fold_angle = kPi;
-  std::vector<double> max_fold_angles = {};
-
   // The group of each hinge, 0 ... k - 1, or empty for every crease by itself: creases of one group, whose goals must
   // be of one size, turn by one angle, each to its side.
   std::vector<int> groups = {};
-  // The real vertices whose loops are closed, as real_vertices() lists them, or empty for all: what suffices when
+  // The real vertices whose loops are closed, as Linkage::loops lists them, or empty for all: what suffices when
   // creases move in groups (crease_groups.h). The goal must close at all of them; the others are the caller's to check.
   std::vector<int> essential = {};
-  bool hold_flat_facets = false;  // creases of assignment F or J whose goal is 0 stay at 0
-  bool unfold_too = true;         // when the way from flat fails, try the way back from the goal
+  bool unfold_too = true;  // when the way from flat fails, try the way back from the goal
   bool check_collisions = true;
-  ProjectOptions projection = {};  // its limits (of each hinge) narrow those above
+  double tolerance = 1e-13;  // radians: residual of a waypoint that closes; above 0
   CollisionOptions collision = {};
 };
 
@@ -61,16 +55,21 @@ struct ContinuationResult {
   int frame() const { return static_cast<int>(path.waypoints.size()); }  // the one that failed, flat is 0
 };
 
-// One sentence for people: "left the mountain-valley branch at vertex 9 (crease 12) in frame 3"; empty without
-// obstacle.
-std::string describe(const ContinuationResult& result);
+// One sentence for people: "left the branch at 42 % of the way: crease 12 (vertices 3-9, near 1 0.5) would turn against
+// its goal"; empty without obstacle. `linkage` is the one that was to fold.
+std::string describe(const Linkage& linkage, const ContinuationResult& result);
 
-// Steps towards the goal, corrects each step by what the last one was off, and projects to the closure of `sheet`;
+// Steps towards the goal, corrects each step by what the last one was off, and projects to the closure;
 // halves a step that does not close, moves too far, turns a crease against its goal or collides. Flat is left with
 // steps of several sizes and in two directions (the goal, and the tangents of its half angles) until every crease turns
 // to its side. Waypoints close and are free of collision; the motion between them is to be proven (verify/path.h).
-// Deterministic. A path that ends early holds what was reached.
-ContinuationResult continue_to_goal(const CreasePattern& sheet, const ContinuationOptions& options = {},
+// Goals beyond the limits of a hinge are clamped, the clamped goal is projected within them, and every waypoint keeps
+// them. Deterministic. A path that ends early holds what was reached.
+ContinuationResult continue_to_goal(const Linkage& linkage, const ContinuationOptions& options = {},
                                     const Run& run = {});
+inline ContinuationResult continue_to_goal(const CreasePattern& sheet, const ContinuationOptions& options = {},
+                                           const Run& run = {}) {
+  return continue_to_goal(make_linkage(sheet), options, run);
+}
 
 }  // namespace plico

@@ -94,8 +94,7 @@ std::string key_of(const std::vector<long>& signature, std::size_t place) {
 
 }  // namespace
 
-CreaseGroups crease_groups(const CreasePattern& sheet) {
-  const Linkage linkage = make_linkage(sheet);
+CreaseGroups crease_groups(const Linkage& linkage) {
   CreaseGroups result;
   UnionFind same(linkage.num_hinges());
   std::map<std::vector<long>, int> types;
@@ -106,7 +105,7 @@ CreaseGroups crease_groups(const CreasePattern& sheet) {
     if (!is_new) same.join(hinge, at->second);
     keys[hinge].insert(std::move(key));
   };
-  const std::vector<RealVertex> vertices = real_vertices(sheet);
+  const std::vector<RealVertex>& vertices = linkage.loops;
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     if (vertices[v].is_hole())
       throw InvalidInput("origami/hole", "symmetry is not looked for in a sheet with holes",
@@ -149,9 +148,8 @@ std::vector<int> groups_along(const FoldingPath& path, double tolerance) {
   return group;
 }
 
-std::vector<int> covering_vertices(const CreasePattern& sheet, const CreaseGroups& groups) {
-  const Linkage linkage = make_linkage(sheet);
-  const std::vector<RealVertex> vertices = real_vertices(sheet);
+std::vector<int> covering_vertices(const Linkage& linkage, const CreaseGroups& groups) {
+  const std::vector<RealVertex>& vertices = linkage.loops;
   std::set<int> missing;
   for (int h = 0; h < linkage.num_hinges(); ++h)
     if (linkage.hinges[h].target != 0) missing.insert(groups.group[h]);

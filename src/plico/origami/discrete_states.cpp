@@ -13,23 +13,21 @@
 namespace plico {
 namespace {
 
-void check(const DiscreteOptions& o) {
-  if (!(o.tolerance > 0)) throw InvalidOption(fmt::format("tolerance = {} must be above 0", o.tolerance));
-}
+void check(const DiscreteOptions& o) { require(o.tolerance > 0, "tolerance", o.tolerance, "above 0"); }
 
 // The choices to make: one a group of creases.
 class Domain {
  public:
-  Domain(const CreasePattern& sheet, const DiscreteOptions& options) : options_(options) {
+  Domain(const Linkage& linkage, const DiscreteOptions& options) : options_(options) {
     check(options);
-    const Linkage linkage = make_linkage(sheet);
     for (const Hinge& hinge : linkage.hinges)
       angles_.push_back(important_angles(hinge.target, options.angles, hinge.high));
     group_ = options.groups;
     if (group_.empty())
       for (int h = 0; h < num_hinges(); ++h) group_.push_back(h);
     gather();
-    for (RealVertex& vertex : real_vertices(sheet)) loops_.push_back({std::move(vertex)});
+    for (const RealVertex& vertex : linkage.loops) loops_.push_back({vertex});
+    find_groups_around();
   }
 
   int num_hinges() const { return static_cast<int>(angles_.size()); }
@@ -44,6 +42,8 @@ class Domain {
   bool closes(int loop, const Configuration& config) const {
     return closure(loops_[loop], config).worst <= options_.tolerance;
   }
+
+ private:
   void find_groups_around() {
     for (const std::vector<RealVertex>& loop : loops_) {
       std::vector<int>& groups = around_.emplace_back();
@@ -53,7 +53,6 @@ class Domain {
     }
   }
 
- private:
   void gather() {
     if (static_cast<int>(group_.size()) != num_hinges())
       throw InvalidInput("origami/groups", fmt::format("{} groups given for {} creases", group_.size(), num_hinges()));
@@ -174,15 +173,14 @@ std::vector<double> important_angles(double target, AngleSet set, double limit) 
   return angles;
 }
 
-DiscreteStates discrete_states(const CreasePattern& sheet, const DiscreteOptions& options, long most, const Run& run) {
-  Domain domain(sheet, options);
-  domain.find_groups_around();
+DiscreteStates discrete_states(const Linkage& linkage, const DiscreteOptions& options, long most, const Run& run) {
+  const Domain domain(linkage, options);
   return Enumeration(domain, most, run).all();
 }
 
-DiscreteStates sample_discrete_states(const CreasePattern& sheet, const DiscreteOptions& options, long samples,
+DiscreteStates sample_discrete_states(const Linkage& linkage, const DiscreteOptions& options, long samples,
                                       std::uint64_t seed, const Run& run) {
-  const Domain domain(sheet, options);
+  const Domain domain(linkage, options);
   DiscreteStates result;
   std::unordered_set<std::string> seen;
   Rng rng(seed);

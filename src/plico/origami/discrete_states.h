@@ -35,11 +35,15 @@ inline constexpr long kMostTested = 2000000;  // about two seconds
 // looked at: panels that lie on each other make most of these states, and touching is allowed. Exponential in the worst
 // case; 0.01 s for the 32 creases of the sailboat. Throws InvalidInput when `groups` does not fit or joins creases of
 // different angle sets. Sizes are at most the limits of the hinges; targets beyond are clamped as well.
-DiscreteStates discrete_states(const CreasePattern& sheet, const DiscreteOptions& options = {}, long most = 100000,
+DiscreteStates discrete_states(const Linkage& linkage, const DiscreteOptions& options = {}, long most = 100000,
                                const Run& run = {});
+inline DiscreteStates discrete_states(const CreasePattern& sheet, const DiscreteOptions& options = {},
+                                      long most = 100000, const Run& run = {}) {
+  return discrete_states(make_linkage(sheet), options, most, run);
+}
 
 // As the dissertation has it: `samples` random choices, each new one (a hash set knows) tested; in the order found.
-DiscreteStates sample_discrete_states(const CreasePattern& sheet, const DiscreteOptions& options, long samples,
+DiscreteStates sample_discrete_states(const Linkage& linkage, const DiscreteOptions& options, long samples,
                                       std::uint64_t seed = 1, const Run& run = {});
 
 // Creases whose fold angles have the same size, each in its own sign, in all of `states` form one group, numbered by

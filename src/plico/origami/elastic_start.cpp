@@ -29,22 +29,22 @@ Projection relax(Projector& projector, const Configuration& target, ProjectOptio
   return projector.project(at, options);
 }
 
-CreasePattern with_flat_goal(CreasePattern sheet) {
-  for (Crease& edge : sheet.edges) edge.fold_angle = 0;
-  return sheet;
+Linkage with_flat_goal(Linkage linkage) {
+  for (Hinge& hinge : linkage.hinges) hinge.target = 0;
+  return linkage;
 }
 
 }  // namespace
 
-ContinuationResult start_elastically(const CreasePattern& sheet, const ElasticOptions& elastic,
+ContinuationResult start_elastically(const Linkage& linkage, const ElasticOptions& elastic,
                                      const ApproachOptions& options, const Run& run) {
   require(elastic.share > 0 && elastic.share <= 1, "share", elastic.share, "in (0, 1]");
   require(elastic.softest > 0 && elastic.softest < 1, "softest", elastic.softest, "in (0, 1)");
-  const Linkage linkage = make_linkage(sheet);
+  require_closable(linkage);
   ContinuationResult result;
   result.path.waypoints = {{0, flat(linkage)}};
-  Projector projector(sheet);
-  ProjectOptions projection;
+  Projector projector(linkage);
+  ProjectOptions projection{.low = lower_limits(linkage), .high = upper_limits(linkage)};
   projection.weight = Configuration::Ones(linkage.num_hinges());
   for (int h = 0; h < linkage.num_hinges(); ++h)
     if (linkage.hinges[h].target == 0) projection.weight[h] = options.facet_weight;
@@ -56,7 +56,7 @@ ContinuationResult start_elastically(const CreasePattern& sheet, const ElasticOp
   back.keep_sides = false;
   FoldingPath folded;
   folded.waypoints = {{0, state.config}, {1, state.config}};
-  ContinuationResult unfolded = approach_goal(with_flat_goal(sheet), folded, back, run);
+  ContinuationResult unfolded = approach_goal(with_flat_goal(linkage), folded, back, run);
   result.steps = unfolded.steps;
   if (unfolded.ending != Ending::Found) return result;
   std::vector<Waypoint>& waypoints = unfolded.path.waypoints;

@@ -14,7 +14,11 @@ struct ElasticOptions {
 // simulators of elastic sheets find a state, which we then project. The state is folded back to flat as approach_goal
 // does; that motion, reversed, is the path. Without a state that closes, is free of collision and unfolds, the path is
 // flat alone. Deterministic. About 60 factorizations, then O(waypoints) projections and collision checks.
-ContinuationResult start_elastically(const CreasePattern& sheet, const ElasticOptions& elastic,
+ContinuationResult start_elastically(const Linkage& linkage, const ElasticOptions& elastic,
                                      const ApproachOptions& options = {}, const Run& run = {});
+inline ContinuationResult start_elastically(const CreasePattern& sheet, const ElasticOptions& elastic,
+                                            const ApproachOptions& options = {}, const Run& run = {}) {
+  return start_elastically(make_linkage(sheet), elastic, options, run);
+}
 
 }  // namespace plico

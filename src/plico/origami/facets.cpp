@@ -132,4 +132,11 @@ Facets cut_into_facets(const CreasePattern& sheet) {
   return result;
 }
 
+CreasePattern with_flat_creases_held(CreasePattern sheet) {
+  for (Crease& crease : sheet.edges)
+    if (crease.fold_angle == 0 && (crease.assignment == Assignment::Flat || crease.assignment == Assignment::Join))
+      crease.limit = 0;
+  return sheet;
+}
+
 }  // namespace plico

@@ -17,4 +17,7 @@ struct Facets {
 // simple polygons stay whole. O(corners^3) a panel.
 Facets cut_into_facets(const CreasePattern& sheet);
 
+// The sheet with its flat creases (F or J, goal 0) held there: their limit is 0.
+CreasePattern with_flat_creases_held(CreasePattern sheet);
+
 }  // namespace plico

@@ -10,13 +10,15 @@ namespace plico {
 namespace {
 
 void check(const FrogOptions& o) {
-  if (!(o.step > 0)) throw InvalidOption(fmt::format("step = {} must be above 0", o.step));
-  if (!(o.initial_weight >= 0 && o.initial_weight <= 1))
-    throw InvalidOption(fmt::format("initial weight = {} must be in [0, 1]", o.initial_weight));
-  if (!(o.reward >= 0)) throw InvalidOption(fmt::format("reward = {} must be at least 0", o.reward));
-  if (!(o.penalty >= 0)) throw InvalidOption(fmt::format("penalty = {} must be at least 0", o.penalty));
-  if (o.max_samples < 1) throw InvalidOption(fmt::format("max samples = {} must be at least 1", o.max_samples));
-  if (o.patience < 1) throw InvalidOption(fmt::format("patience = {} must be at least 1", o.patience));
+  require(o.step > 0, "step", o.step, "above 0");
+  require(o.initial_weight >= 0 && o.initial_weight <= 1, "initial weight", o.initial_weight, "in [0, 1]");
+  require(o.reward >= 0, "reward", o.reward, "at least 0");
+  require(o.penalty >= 0, "penalty", o.penalty, "at least 0");
+  require(o.max_samples >= 1, "max samples", o.max_samples, "at least 1");
+  require(o.patience >= 1, "patience", o.patience, "at least 1");
+  require(o.tolerance > 0, "tolerance", o.tolerance, "above 0");
+  if (o.nlopt.low.size() + o.nlopt.high.size() > 0)
+    throw InvalidOption("nlopt limits = a table must be empty: the limits are those of the sheet");
 }
 
 // Time by length, so that every part of the path goes at the same speed.
@@ -36,17 +38,17 @@ double lowest(double target) { return target > 0 ? 0 : -kPi; }
 
 class Frog::Search {
  public:
-  Search(const CreasePattern& sheet, const FrogOptions& options)
+  Search(const Linkage& linkage, const FrogOptions& options)
       : options_(options),
-        linkage_(make_linkage(sheet)),
-        projector_(sheet),
+        linkage_(linkage),
+        projector_(linkage),
         checker_(linkage_, options.collision),
         target_(goal(linkage_)) {
     check(options);
-    if (options_.projection.low.size() == 0) options_.projection.low = target_.unaryExpr(&lowest);
-    if (options_.projection.high.size() == 0) options_.projection.high = -(-target_).unaryExpr(&lowest);
-    if (options_.nlopt.low.size() == 0) options_.nlopt.low = options_.projection.low;
-    if (options_.nlopt.high.size() == 0) options_.nlopt.high = options_.projection.high;
+    require_closable(linkage);
+    projection_.tolerance = options.tolerance;
+    projection_.low = options_.nlopt.low = target_.unaryExpr(&lowest).cwiseMax(lower_limits(linkage_));
+    projection_.high = options_.nlopt.high = (-(-target_).unaryExpr(&lowest)).cwiseMin(upper_limits(linkage_));
   }
 
   FrogResult plan(const Configuration& start, const Configuration& goal, const Run& run) {
@@ -85,16 +87,16 @@ class Frog::Search {
     ++result.counts.tested;
     const double open = closure(projector_.vertices(), config).worst;
     result.worst_residual = std::max(result.worst_residual, open);
-    return open <= std::max(1e-9, options_.projection.tolerance) && !collides(config);
+    return open <= std::max(1e-9, options_.tolerance) && hinge_beyond_limits(linkage_, config) < 0 && !collides(config);
   }
 
   bool collides(const Configuration& config) { return options_.check_collisions && checker_.collides(config); }
 
   Projection find_foldable(const Configuration& near) {
-    if (options_.find == FindFoldable::GaussNewton) return projector_.project(near, options_.projection);
+    if (options_.find == FindFoldable::GaussNewton) return projector_.project(near, projection_);
     const Projection found = project_by_nlopt(projector_.vertices(), near, options_.nlopt);
     if (!found.closed) return found;
-    Projection tight = projector_.project(found.config, options_.projection);
+    Projection tight = projector_.project(found.config, projection_);
     tight.steps += found.steps;
     return tight;
   }
@@ -110,8 +112,7 @@ class Frog::Search {
   bool extend(const Configuration& goal, double weight, Rng& rng, FrogResult& result) {
     const Configuration& closest = result.path.waypoints.back().config;
     Configuration random(closest.size());
-    for (int h = 0; h < random.size(); ++h)
-      random[h] = rng.uniform(options_.projection.low[h], options_.projection.high[h]);
+    for (int h = 0; h < random.size(); ++h) random[h] = rng.uniform(projection_.low[h], projection_.high[h]);
     const Configuration direction = (1 - weight) * (random - closest) + weight * (goal - closest);
     ++result.counts.sampled;
     const Projection found = find_foldable(closest + options_.step * direction.normalized());
@@ -127,14 +128,14 @@ class Frog::Search {
   }
 
   FrogOptions options_;
+  ProjectOptions projection_;
   Linkage linkage_;
   Projector projector_;
   CollisionChecker checker_;
   Configuration target_;
 };
 
-Frog::Frog(const CreasePattern& sheet, const FrogOptions& options)
-    : search_(std::make_unique<Search>(sheet, options)) {}
+Frog::Frog(const Linkage& linkage, const FrogOptions& options) : search_(std::make_unique<Search>(linkage, options)) {}
 Frog::~Frog() = default;
 Frog::Frog(Frog&&) noexcept = default;
 Frog& Frog::operator=(Frog&&) noexcept = default;
@@ -145,9 +146,8 @@ FrogResult Frog::plan(const Configuration& start, const Configuration& goal, con
 
 void Frog::set_patience(long samples) { search_->set_patience(samples); }
 
-FrogResult frog(const CreasePattern& sheet, const FrogOptions& options, const Run& run) {
-  const Linkage linkage = make_linkage(sheet);
-  return Frog(sheet, options).plan(flat(linkage), goal(linkage), run);
+FrogResult frog(const Linkage& linkage, const FrogOptions& options, const Run& run) {
+  return Frog(linkage, options).plan(flat(linkage), goal(linkage), run);
 }
 
 }  // namespace plico

@@ -24,8 +24,8 @@ struct FrogOptions {
   long max_samples = 20000;     // at least 1
   long patience = 20000;        // samples without coming half of D closer before it gives up, at least 1
   FindFoldable find = FindFoldable::GaussNewton;
-  ProjectOptions projection = {.tolerance = 1e-12};  // of GaussNewton
-  NloptOptions nlopt = {};                           // of Nlopt; what it finds, the projection closes tightly
+  double tolerance = 1e-12;  // radians: residual of a waypoint that closes; above 0
+  NloptOptions nlopt = {};   // of Nlopt: what it finds, the projection closes tightly; its limits must be empty
   CollisionOptions collision = {};
   bool check_collisions = true;
 };
@@ -46,18 +46,18 @@ struct FrogResult {
 };
 
 // One sheet's planner, for many queries. Every crease stays between flat and fully folded on the side of its target,
-// or within the limits that the options of the projection give.
+// and within the limits of its hinge.
 class Frog {
  public:
-  // Throws InvalidOption.
-  explicit Frog(const CreasePattern& sheet, const FrogOptions& options = {});
+  // Throws InvalidOption, and InvalidInput as require_closable() does.
+  explicit Frog(const Linkage& linkage, const FrogOptions& options = {});
   ~Frog();
   Frog(Frog&&) noexcept;
   Frog& operator=(Frog&&) noexcept;
 
-  // From `start` to `goal`, both closed (else Exhausted at once). The goal is reached from at most D away. A sample
-  // counts as valid only when it lies within 2 D of the waypoint before it: one that the projection took farther may
-  // be on another branch. Deterministic for the seed.
+  // From `start` to `goal`, both closed and within the limits (else Exhausted at once). The goal is reached from at
+  // most D away. A sample counts as valid only when it lies within 2 D of the waypoint before it: one that the
+  // projection took farther may be on another branch. Deterministic for the seed.
   FrogResult plan(const Configuration& start, const Configuration& goal, const Run& run = {});
 
   void set_patience(long samples);  // of the queries to come
@@ -67,7 +67,10 @@ class Frog {
   std::unique_ptr<Search> search_;
 };
 
-// From flat to the targets of the sheet.
-FrogResult frog(const CreasePattern& sheet, const FrogOptions& options = {}, const Run& run = {});
+// From flat to the targets of the hinges.
+FrogResult frog(const Linkage& linkage, const FrogOptions& options = {}, const Run& run = {});
+inline FrogResult frog(const CreasePattern& sheet, const FrogOptions& options = {}, const Run& run = {}) {
+  return frog(make_linkage(sheet), options, run);
+}
 
 }  // namespace plico

@@ -1,4 +1,4 @@
-// The walk around one real vertex or hole (eq. 2.1, read as R3), for the residual and its derivative.
+// The walk around one real vertex or hole (eq. 2.1, read as R2), for the residual and its derivative.
 #pragma once
 #include <cmath>
 

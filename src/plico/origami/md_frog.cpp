@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <map>
 #include <optional>
 #include <queue>
 #include <set>
-#include <string>
 #include <tuple>
 
 #include "plico/base/error.h"
@@ -27,44 +27,45 @@ constexpr std::size_t kMostNodes = 5000;  // states with their layers: each brin
 
 constexpr double kEstimate = 1e6;  // estimates that differ by less than 1 / kEstimate are equal
 
+// Of each pair of panels that lie on each other: +1 or -1, as one lies on the other, or 0 when no connection told.
+using Sides = std::vector<signed char>;
+
 using Edge = std::pair<int, int>;  // from the state closer to flat along the path
 
 void check(const MdFrogOptions& o) {
-  if (o.max_states < 0) throw InvalidOption(fmt::format("max states = {} must be at least 0", o.max_states));
-  if (o.max_connections < 0)
-    throw InvalidOption(fmt::format("max connections = {} must be at least 0", o.max_connections));
-  if (o.max_refuted < 0) throw InvalidOption(fmt::format("max refuted = {} must be at least 0", o.max_refuted));
-  if (o.alternatives < 1) throw InvalidOption(fmt::format("alternatives = {} must be at least 1", o.alternatives));
-  if (o.linear_samples < 1)
-    throw InvalidOption(fmt::format("linear samples = {} must be at least 1", o.linear_samples));
+  require(o.max_states >= 0, "max states", o.max_states, "at least 0");
+  require(o.max_connections >= 0, "max connections", o.max_connections, "at least 0");
+  require(o.max_refuted >= 0, "max refuted", o.max_refuted, "at least 0");
+  require(o.alternatives >= 1, "alternatives", o.alternatives, "at least 1");
+  require(o.linear_samples >= 1, "linear samples", o.linear_samples, "at least 1");
 }
 
 class Roadmap {
  public:
-  Roadmap(const CreasePattern& sheet, const MdFrogOptions& options, const Run& run)
+  Roadmap(const Linkage& linkage, const MdFrogOptions& options, const Run& run)
       : options_(options),
         run_(run),
-        linkage_(make_linkage(sheet)),
-        vertices_(real_vertices(sheet)),
+        linkage_(linkage),
+        vertices_(linkage.loops),
         projector_(vertices_, linkage_.num_hinges()),
         checker_(linkage_, options.frog.collision),
         layers_(linkage_, checker_.clearance()),
-        frog_(sheet, options.frog) {
+        frog_(linkage, options.frog) {
     add(flat(linkage_));
-    Configuration target = goal(linkage_);
-    for (int h = 0; h < linkage_.num_hinges(); ++h)
-      target[h] = std::clamp(target[h], linkage_.hinges[h].low, linkage_.hinges[h].high);
+    projection_.tolerance = options.frog.tolerance;
+    projection_.low = lower_limits(linkage_);
+    projection_.high = upper_limits(linkage_);
     stops_.push_back(0);
-    for (const Configuration& state : options.intermediate) stops_.push_back(add(state));
-    stops_.push_back(add(target));
+    for (const Configuration& state : options.intermediate) add_stop(state, "a state to pass");
+    add_stop(goal(linkage_), "the goal");
     for (int stop : stops_) must_close(states_[stop]);
-    DiscreteStates discrete = discrete_states(sheet, options.discrete, options.max_states, run);
+    DiscreteStates discrete = discrete_states(linkage, options.discrete, options.max_states, run);
     result_.tested += discrete.tested;
     for (const Configuration& state : discrete.states)
       if (!options.frog.check_collisions || !checker_.collides(state)) add(state);
     result_.states = static_cast<long>(states_.size());
     banned_.assign(states_.size(), 0);
-    state_.assign(states_.size() * states_.size(), State::Open);
+    passable_.assign(states_.size() * states_.size(), Passable::Unknown);
     frog_.set_patience(kPatience.front());
   }
 
@@ -102,6 +103,11 @@ class Roadmap {
     return num_states() - 1;
   }
 
+  void add_stop(const Configuration& state, const char* what) {
+    require_within_limits(linkage_, state, what);
+    stops_.push_back(add(state));
+  }
+
   void must_close(const Configuration& state) {
     if (vertices_.empty()) return;
     const Closure closed = closure(vertices_, state);
@@ -116,9 +122,9 @@ class Roadmap {
   // states together with their order of layers, as far as it has been seen.
   struct Node {
     int state;
-    int leg;             // to the stop after this
-    std::string layers;  // the side of each of stacked_[state]: +1, -1, or 0 when no connection told
-    int before;          // node, -1: the start
+    int leg;       // to the stop after this
+    Sides layers;  // of stacked_[state]
+    int before;    // node, -1: the start
     double cost;
     int depth;
   };
@@ -132,7 +138,7 @@ class Roadmap {
       return std::tuple(estimate, -depth, length, node, to) > std::tuple(o.estimate, -o.depth, o.length, o.node, o.to);
     }
   };
-  using Passage = std::tuple<int, int, std::string, int>;  // leg, state, layers, next state
+  using Passage = std::tuple<int, int, Sides, int>;  // leg, state, layers, next state
 
   // A way through all stops whose every connection holds; nothing when there is none, or the run is over.
   std::optional<std::vector<int>> next_way() {
@@ -154,7 +160,7 @@ class Roadmap {
       open_.pop();
       const Node from = nodes_[arc.node];
       if (left_.count({from.leg, from.state, from.layers, arc.to}) > 0 || !connected(from.state, arc.to)) continue;
-      const std::optional<std::string> layers = layers_after(from, arc.to);
+      const std::optional<Sides> layers = layers_after(from, arc.to);
       if (!layers) continue;
       if (enter({arc.to, from.leg, *layers, arc.node, from.cost + arc.length, from.depth + 1})) return way_to();
       run_.report("planning", result_.connections_tried, 0);
@@ -171,8 +177,8 @@ class Roadmap {
     if (node.leg < last) {
       const int stop = stops_[node.leg + 1];
       for (int to = 0; to < num_states(); ++to) {
-        if (to == node.state || (banned_[to] && to != stop) || state(node.state, to) == State::Failed ||
-            state(node.state, to) == State::Left)
+        if (to == node.state || (banned_[to] && to != stop) || passable(node.state, to) == Passable::No ||
+            passable(node.state, to) == Passable::Left)
           continue;
         const float length = measure(node.state, to);
         const double estimate = node.cost + length + measure(to, stop);
@@ -195,17 +201,17 @@ class Roadmap {
     return known != stacked_.end() ? known->second
                                    : stacked_.emplace(state, layers_.stacked(states_[state])).first->second;
   }
-  std::string layers_at(int state) { return std::string(stacked(state).size(), 0); }
+  Sides layers_at(int state) { return Sides(stacked(state).size(), 0); }
 
   // Nothing when panels would leave each other on another side than the one that they lie on.
-  std::optional<std::string> layers_after(const Node& from, int to) {
+  std::optional<Sides> layers_after(const Node& from, int to) {
     const std::vector<LayerPair>&before = stacked(from.state), &after = stacked(to);
     const std::vector<Waypoint>& waypoints = links_.at({from.state, to}).path.waypoints;
-    const std::vector<signed char> leaving = layers_.sides(before, waypoints[1].config);
+    PLICO_ASSERT(waypoints.size() >= 2 && from.layers.size() == before.size());
+    const Sides leaving = layers_.sides(before, waypoints[1].config);
     for (std::size_t i = 0; i < before.size(); ++i)
       if (leaving[i] * from.layers[i] < 0) return {};
-    const std::vector<signed char> arriving = layers_.sides(after, waypoints[waypoints.size() - 2].config);
-    std::string result(arriving.begin(), arriving.end());
+    Sides result = layers_.sides(after, waypoints[waypoints.size() - 2].config);
     for (std::size_t i = 0; i < after.size(); ++i) {
       if (result[i] != 0) continue;
       const auto same = std::find_if(before.begin(), before.end(), [&](const LayerPair& pair) {
@@ -220,18 +226,18 @@ class Roadmap {
   bool try_harder() {
     if (++round_ >= kPatience.size()) return false;
     frog_.set_patience(kPatience[round_]);
-    for (State& state : state_)
-      if (state == State::Failed) state = State::Open;
+    for (Passable& passable : passable_)
+      if (passable == Passable::No) passable = Passable::Unknown;
     return true;
   }
 
   float measure(int a, int b) const { return static_cast<float>((states_[a] - states_[b]).squaredNorm()); }
 
-  enum class State : char { Open, Holds, Failed, Left };  // Left: given up on purpose, for another path
-  State state(int from, int to) const { return state_[static_cast<std::size_t>(from) * states_.size() + to]; }
-  void set_state(int from, int to, State state) {
+  enum class Passable : char { Unknown, Yes, No, Left };  // Left: given up on purpose, for another path
+  Passable passable(int from, int to) const { return passable_[static_cast<std::size_t>(from) * states_.size() + to]; }
+  void set_passable(int from, int to, Passable passable) {
     for (const auto& [a, b] : {Edge{from, to}, Edge{to, from}})
-      state_[static_cast<std::size_t>(a) * states_.size() + b] = state;
+      passable_[static_cast<std::size_t>(a) * states_.size() + b] = passable;
   }
 
   struct Link {
@@ -240,11 +246,11 @@ class Roadmap {
   };
 
   bool connected(int from, int to) {
-    if (state(from, to) != State::Open) return state(from, to) == State::Holds;
+    if (passable(from, to) != Passable::Unknown) return passable(from, to) == Passable::Yes;
     ++result_.connections_tried;
     Link link = connect(from, to);
     const bool holds = !link.path.waypoints.empty() && refine(link.path);
-    set_state(from, to, holds ? State::Holds : State::Failed);
+    set_passable(from, to, holds ? Passable::Yes : Passable::No);
     if (!holds) return false;
     Link back{{}, link.connection};
     for (auto w = link.path.waypoints.rbegin(); w != link.path.waypoints.rend(); ++w)
@@ -275,7 +281,7 @@ class Roadmap {
       for (int k = 1; k < steps; ++k) {
         const double share = static_cast<double>(k) / steps;
         const Configuration start = from.config + share * move;
-        const Projection between = projector_.project(start, options_.frog.projection);
+        const Projection between = projector_.project(start, projection_);
         result_.tested += between.steps + 1;
         if (!between.closed || (between.config - start).norm() > kResolution) return false;
         if (options_.frog.check_collisions && checker_.collides(between.config)) return false;
@@ -292,7 +298,7 @@ class Roadmap {
   std::optional<FoldingPath> linear(const Configuration& from, const Configuration& to) {
     const int n = options_.linear_samples;
     double worst = 0;
-    for (int stride = n; stride >= 1; stride /= 2) {
+    for (int stride = static_cast<int>(std::bit_floor(static_cast<unsigned>(n))); stride >= 1; stride /= 2) {
       for (int i = stride; i <= n; i += 2 * stride) {
         const double share = static_cast<double>(i) / (n + 1);
         const Configuration between = (1 - share) * from + share * to;
@@ -338,7 +344,8 @@ class Roadmap {
     constexpr int kSamples = 20;
     for (int i = 1; i < kSamples; ++i) {
       const Configuration p = a.at(i / double{kSamples}), q = b.at(i / double{kSamples});
-      const Projection mid = projector_.project((p + q) / 2, {.tolerance = 1e-9});
+      const Projection mid =
+          projector_.project((p + q) / 2, {.tolerance = 1e-9, .low = projection_.low, .high = projection_.high});
       const bool between = (mid.config - (p + q) / 2).norm() <= (p - q).norm() / 2 + 1e-9;
       if (!mid.closed || !between || checker_.collides(mid.config)) return false;
     }
@@ -350,6 +357,7 @@ class Roadmap {
     const auto end = std::upper_bound(path.times.begin() + 1, path.times.end() - 1, time) - path.times.begin();
     int at = static_cast<int>(nodes_.size()) - 1;
     for (auto left = static_cast<std::ptrdiff_t>(path.times.size()) - 1; left > end; --left) at = nodes_[at].before;
+    PLICO_ASSERT(nodes_[at].before >= 0);
     const Node& from = nodes_[nodes_[at].before];
     left_.insert({from.leg, from.state, from.layers, nodes_[at].state});
   }
@@ -363,7 +371,7 @@ class Roadmap {
       left = true;
     }
     if (!left) {
-      for (std::size_t i = 1; i < way.size(); ++i) set_state(way[i - 1], way[i], State::Left);
+      for (std::size_t i = 1; i < way.size(); ++i) set_passable(way[i - 1], way[i], Passable::Left);
       left = way.size() > 1;
     }
     return left;
@@ -371,19 +379,20 @@ class Roadmap {
 
   const MdFrogOptions& options_;
   const Run& run_;
-  Linkage linkage_;
-  std::vector<RealVertex> vertices_;
+  const Linkage& linkage_;
+  const std::vector<RealVertex>& vertices_;
   Projector projector_;
+  ProjectOptions projection_;
   CollisionChecker checker_;
   Layers layers_;
   Frog frog_;
   std::vector<Configuration> states_;
   std::vector<int> stops_;
   std::vector<char> banned_;                       // states that a further path must not use
-  std::vector<State> state_;                       // of each connection, states x states
+  std::vector<Passable> passable_;                 // of each connection, states x states
   std::map<int, std::vector<LayerPair>> stacked_;  // of each state looked at
   std::vector<Node> nodes_;
-  std::set<std::tuple<int, int, std::string>> seen_;
+  std::set<std::tuple<int, int, Sides>> seen_;
   std::priority_queue<Arc> open_;
   std::set<Passage> left_;      // refuted
   std::map<Edge, Link> links_;  // those that hold, both ways
@@ -393,9 +402,10 @@ class Roadmap {
 
 }  // namespace
 
-MdFrogResult md_frog(const CreasePattern& sheet, const MdFrogOptions& options, const Run& run) {
+MdFrogResult md_frog(const Linkage& linkage, const MdFrogOptions& options, const Run& run) {
   check(options);
-  return Roadmap(sheet, options, run).plan();
+  require_closable(linkage);
+  return Roadmap(linkage, options, run).plan();
 }
 
 }  // namespace plico

@@ -9,7 +9,7 @@
 namespace plico {
 
 struct MdFrogOptions {
-  DiscreteOptions discrete = {};  // the states of the roadmap; its material limit holds for the goal as well
+  DiscreteOptions discrete = {};  // the states of the roadmap; within the limits of the hinges
   long max_states = 2000;         // of the roadmap, at least 0; beyond them the first in lexical order are used
   // Gauss-Newton or NLopt, step and weights of the nonlinear connections; max_samples holds for each of them.
   FrogOptions frog = {.step = 0.25, .initial_weight = 1, .reward = 0.2, .penalty = 0.01, .max_samples = 300};
@@ -51,7 +51,10 @@ struct MdFrogResult {
 // orders of layers (layers.h), and no connection leads panels apart on another side than the one that they came from.
 // A further path must pass through other states and must not blend into an earlier one through foldable configurations
 // without collision (evidence, not proof, of another homotopy class). Deterministic for a seed. Throws InvalidInput
-// when the goal or an intermediate state does not close.
-MdFrogResult md_frog(const CreasePattern& sheet, const MdFrogOptions& options = {}, const Run& run = {});
+// when the goal or an intermediate state does not close or lies beyond a limit ("fold/limits").
+MdFrogResult md_frog(const Linkage& linkage, const MdFrogOptions& options = {}, const Run& run = {});
+inline MdFrogResult md_frog(const CreasePattern& sheet, const MdFrogOptions& options = {}, const Run& run = {}) {
+  return md_frog(make_linkage(sheet), options, run);
+}
 
 }  // namespace plico

@@ -14,10 +14,9 @@ namespace plico {
 namespace {
 
 void check(const NloptOptions& o, Eigen::Index creases) {
-  if (!(o.tolerance > 0)) throw InvalidOption(fmt::format("tolerance = {} must be above 0", o.tolerance));
-  if (!(o.first_step > 0)) throw InvalidOption(fmt::format("first step = {} must be above 0", o.first_step));
-  if (o.max_evaluations < 1)
-    throw InvalidOption(fmt::format("max evaluations = {} must be at least 1", o.max_evaluations));
+  require(o.tolerance > 0, "tolerance", o.tolerance, "above 0");
+  require(o.first_step > 0, "first step", o.first_step, "above 0");
+  require(o.max_evaluations >= 1, "max evaluations", o.max_evaluations, "at least 1");
   for (const Configuration* limit : {&o.low, &o.high})
     if (limit->size() != 0 && limit->size() != creases)
       throw InvalidInput("origami/limits", fmt::format("{} limits for {} creases", limit->size(), creases));

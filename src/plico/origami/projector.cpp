@@ -38,11 +38,10 @@ Configuration damping_of(const ProjectOptions& options, int num_creases) {
 }
 
 void check(const ProjectOptions& o) {
-  if (!(o.tolerance > 0)) throw InvalidOption(fmt::format("tolerance = {} must be above 0", o.tolerance));
-  if (!(o.max_step > 0)) throw InvalidOption(fmt::format("max step = {} must be above 0", o.max_step));
-  if (!(o.damping > 0)) throw InvalidOption(fmt::format("damping = {} must be above 0", o.damping));
-  if (o.weight.size() > 0 && !(o.weight.minCoeff() > 0))
-    throw InvalidOption(fmt::format("weight = {} must be above 0", o.weight.minCoeff()));
+  require(o.tolerance > 0, "tolerance", o.tolerance, "above 0");
+  require(o.max_step > 0, "max step", o.max_step, "above 0");
+  require(o.damping > 0, "damping", o.damping, "above 0");
+  if (o.weight.size() > 0) require(o.weight.minCoeff() > 0, "weight", o.weight.minCoeff(), "above 0");
 }
 
 }  // namespace
@@ -217,7 +216,7 @@ Configuration solve_within(Equations& equations, const Limits& limits, const Con
 
 Projector::Projector(std::vector<RealVertex> vertices, int num_creases)
     : equations_(std::make_unique<Equations>(std::move(vertices), num_creases)) {}
-Projector::Projector(const CreasePattern& sheet) : Projector(real_vertices(sheet), make_linkage(sheet).num_hinges()) {}
+Projector::Projector(const Linkage& linkage) : Projector(linkage.loops, linkage.num_hinges()) {}
 Projector::~Projector() = default;
 Projector::Projector(Projector&&) noexcept = default;
 Projector& Projector::operator=(Projector&&) noexcept = default;

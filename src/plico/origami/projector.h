@@ -34,7 +34,8 @@ class Projector {
  public:
   // Throws InvalidInput when a vertex names a crease outside [0, num_creases).
   Projector(std::vector<RealVertex> vertices, int num_creases);
-  explicit Projector(const CreasePattern& sheet);
+  explicit Projector(const Linkage& linkage);
+  explicit Projector(const CreasePattern& sheet) : Projector(make_linkage(sheet)) {}
   ~Projector();
   Projector(Projector&&) noexcept;
   Projector& operator=(Projector&&) noexcept;

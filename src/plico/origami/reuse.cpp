@@ -31,8 +31,9 @@ std::vector<int> models(const CreaseGroups& small, const std::vector<int>& small
 
 }  // namespace
 
-FoldingPath reuse_path(const CreasePattern& small, const FoldingPath& path, const CreasePattern& large) {
+FoldingPath reuse_path(const Linkage& small, const FoldingPath& path, const Linkage& large) {
   const CreaseGroups from = crease_groups(small), to = crease_groups(large);
+  PLICO_ASSERT(path.waypoints.empty() || path.waypoints.front().config.size() == small.num_hinges());
   std::vector<int> first(from.num_groups, -1);
   for (int h = static_cast<int>(from.group.size()) - 1; h >= 0; --h) first[from.group[h]] = h;
   for (const Waypoint& waypoint : path.waypoints)
@@ -42,24 +43,21 @@ FoldingPath reuse_path(const CreasePattern& small, const FoldingPath& path, cons
         throw InvalidInput("origami/no-group", "creases of one group do not move alike along the path",
                            fmt::format("creases {} and {} at time {}", first[from.group[h]], h, waypoint.time));
     }
-  const Linkage linkage = make_linkage(large), small_linkage = make_linkage(small);
-  const std::vector<int> model = models(from, first, to, linkage);
+  const std::vector<int> model = models(from, first, to, large);
   FoldingPath result;
   for (const Waypoint& waypoint : path.waypoints) {
-    Configuration config = Configuration::Zero(linkage.num_hinges());
-    for (int h = 0; h < linkage.num_hinges(); ++h)
+    Configuration config = Configuration::Zero(large.num_hinges());
+    for (int h = 0; h < large.num_hinges(); ++h)
       if (const int m = model[to.group[h]]; m >= 0)
-        config[h] =
-            linkage.hinges[h].target * small_linkage.hinges[m].target > 0 ? waypoint.config[m] : -waypoint.config[m];
+        config[h] = large.hinges[h].target * small.hinges[m].target > 0 ? waypoint.config[m] : -waypoint.config[m];
     result.waypoints.push_back({waypoint.time, std::move(config)});
   }
   return result;
 }
 
-WaypointCheck check_waypoints(const CreasePattern& sheet, const FoldingPath& path, const CollisionOptions& options,
+WaypointCheck check_waypoints(const Linkage& linkage, const FoldingPath& path, const CollisionOptions& options,
                               const Run& run) {
-  const Linkage linkage = make_linkage(sheet);
-  const std::vector<RealVertex> vertices = real_vertices(sheet);
+  const std::vector<RealVertex>& vertices = linkage.loops;
   const int n = static_cast<int>(path.waypoints.size());
   std::vector<Closure> closures(n);
   std::vector<std::vector<PanelPair>> collisions(n);

@@ -359,6 +359,16 @@ std::optional<PathProof> over_folded(const Linkage& linkage, const FoldingPath& 
   return {};
 }
 
+std::optional<PathProof> beyond_limits(const Linkage& linkage, const FoldingPath& path) {
+  const int at = waypoint_beyond_limits(linkage, path);
+  if (at < 0) return {};
+  PathProof proof;
+  proof.verdict = PathVerdict::BeyondLimits;
+  proof.from = proof.to = path.waypoints[at].time;
+  place_at_hinge(proof, linkage.hinges[hinge_beyond_limits(linkage, path.waypoints[at].config, kLimitRounding)]);
+  return proof;
+}
+
 PathProof prove_sheet(const Linkage& linkage, const FoldingPath& path, PathProofOptions options, const Run& run) {
   SheetMotion motion(linkage, path);
   const LoopReport& loops = motion.loops();
@@ -398,6 +408,8 @@ std::string_view name(PathVerdict verdict) {
       return "undecided";
     case PathVerdict::NotClosed:
       return "not closed";
+    case PathVerdict::BeyondLimits:
+      return "beyond limits";
   }
   return "unknown";
 }
@@ -411,6 +423,7 @@ PathProof prove_path(const Linkage& linkage, const FoldingPath& path, const Path
   check(options);
   check_path(linkage, path);
   if (const auto collision = over_folded(linkage, path)) return *collision;
+  if (const auto limited = beyond_limits(linkage, path)) return *limited;
   if (linkage.has_loops()) return prove_sheet(linkage, path, options, run);
   LinkageMotion motion(linkage, path);
   return prove_motion(linkage, motion, options, run);

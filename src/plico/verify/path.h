@@ -28,14 +28,15 @@ struct PathProofOptions {
   double resolution = 1e-9;  // intervals shorter than this are not halved, in (0, 1]
 };
 
-enum class PathVerdict { Free, Collides, Undecided, NotClosed };
-std::string_view name(PathVerdict verdict);  // "free", "collides", "undecided", "not closed"
+enum class PathVerdict { Free, Collides, Undecided, NotClosed, BeyondLimits };
+std::string_view name(PathVerdict verdict);  // "free", "collides", "undecided", "not closed", "beyond limits"
 
 struct PathProof {
   PathVerdict verdict = PathVerdict::Undecided;
   // Collides: the panels are clear of each other (or the motion begins) at `from` and penetrate at `to`.
   // Undecided: neither could be shown on [from, to].
   // NotClosed: the waypoint at `from` = `to` does not close at loops.hinge, between the panels.
+  // BeyondLimits: the hinge between the panels is turned farther there than the linkage allows.
   double from = 0, to = 0;
   int panel_a = -1, panel_b = -1;
   double depth = 0;          // of the penetration at `to`, units

@@ -151,7 +151,7 @@ void find_net_that_folds(const Mesh& mesh, const CraftOptions& options, const Ru
   NetVerdict verdict = verify_net(net, mesh);
   if (verdict.parts > 1) {  // cut short: the net at hand folds straight, or not at all
     const MotionOptions straight{.seed = options.unfold.search.seed, .may_search = false};
-    result.motion = std::move(plan_motion(linkage_of(result.net), straight, run).motions.front());
+    result.motion = std::move(plan(linkage_of(result.net), straight, run).motions.front());
     return;
   }
   result.net = std::move(net);

@@ -27,12 +27,7 @@ void stretch_times(FoldingPath& path) {
   path.waypoints.back().time = 1;
 }
 
-std::string located(const CreasePattern& sheet, int vertex) {
-  if (vertex < 0) return "no vertex";
-  return fmt::format("vertex {} ({:.6g}, {:.6g})", vertex, sheet.vertices[vertex].x(), sheet.vertices[vertex].y());
-}
-
-std::string why(const CreasePattern& sheet, const ContinuationResult& found, const Motion& motion) {
+std::string why(const Linkage& linkage, const ContinuationResult& found, const Motion& motion) {
   const bool cut_short = !motion.path.waypoints.empty() && motion.proof.verdict == PathVerdict::Free &&
                          motion.path.waypoints.back().config != found.path.waypoints.back().config;
   if (cut_short) return "the rest of the way cannot be proven free of collision";
@@ -41,10 +36,10 @@ std::string why(const CreasePattern& sheet, const ContinuationResult& found, con
       return fmt::format("panels {} and {} would collide", found.panels.a, found.panels.b);
     case Obstacle::GoalOpen:
       return fmt::format("this is the closed state nearest to a goal that opens {} by {:.3g} rad",
-                         located(sheet, found.vertex), found.residual);
+                         tell_vertex(linkage, found.vertex), found.residual);
     case Obstacle::Locked:
     case Obstacle::WrongSide:
-      return fmt::format("locked; going straight on opens {} by {:.3g} rad", located(sheet, found.vertex),
+      return fmt::format("locked; going straight on opens {} by {:.3g} rad", tell_vertex(linkage, found.vertex),
                          found.residual);
     case Obstacle::None:
       break;
@@ -53,22 +48,22 @@ std::string why(const CreasePattern& sheet, const ContinuationResult& found, con
 }
 
 // "12 of 40 creases are short of their goal, crease 7 (vertices 3-9) by 31.2 degrees".
-std::string short_creases(const CreasePattern& sheet, const Linkage& linkage, const Configuration& end) {
+std::string short_creases(const Linkage& linkage, const Configuration& end) {
   std::vector<std::pair<double, int>> missing;
   int driven = 0;
-  const std::vector<int> hinge = hinge_of_edge(sheet);
-  for (int e = 0; e < sheet.num_edges(); ++e) {
-    if (hinge[e] < 0 || linkage.hinges[hinge[e]].target == 0) continue;
+  for (int h = 0; h < linkage.num_hinges(); ++h) {
+    if (linkage.hinges[h].target == 0) continue;
     ++driven;
-    const double off = std::abs(linkage.hinges[hinge[e]].target - end[hinge[e]]);
-    if (off > kShort) missing.emplace_back(-off, e);
+    const double off = std::abs(linkage.hinges[h].target - end[h]);
+    if (off > kShort) missing.emplace_back(-off, h);
   }
   std::sort(missing.begin(), missing.end());
   std::string named;
   for (std::size_t i = 0; i < missing.size() && i < kMostNamed; ++i) {
-    const auto [off, e] = missing[i];
-    named += fmt::format("{} crease {} (vertices {}-{}) by {:.3g}", i ? "," : ":", e, sheet.edges[e].a,
-                         sheet.edges[e].b, degrees(-off));
+    const auto [off, h] = missing[i];
+    const Hinge& hinge = linkage.hinges[h];
+    named += fmt::format("{} crease {} (vertices {}-{}) by {:.3g}", i ? "," : ":", hinge.edge, hinge.a, hinge.b,
+                         degrees(-off));
   }
   return fmt::format("{} of {} creases are short of their goal, in degrees{}{}", missing.size(), driven, named,
                      missing.size() > kMostNamed ? ", ..." : "");
@@ -99,49 +94,48 @@ std::string bends_note(const std::vector<double>& bends) {
 }
 
 // Where no first step out of flat leads far, states pulled to shares of the goal may.
-void start_otherwise(const CreasePattern& sheet, const ApproachOptions& approach, const Run& run,
+void start_otherwise(const Linkage& linkage, const ApproachOptions& approach, const Run& run,
                      ContinuationResult& found) {
   for (const double share : kPulledTo) {
     if (run.over()) return;
-    const ContinuationResult begun = start_elastically(sheet, {.share = share}, approach, run);
+    const ContinuationResult begun = start_elastically(linkage, {.share = share}, approach, run);
     if (begun.path.waypoints.size() < 2) continue;
-    ContinuationResult far = approach_goal(sheet, begun.path, approach, run);
+    ContinuationResult far = approach_goal(linkage, begun.path, approach, run);
     if (far.progress > found.progress + kWorthCutting) found = std::move(far);
   }
 }
 
-FarMotion go_on(const CreasePattern& sheet, const FoldingPath& begun, const MotionOptions& options, const Run& run) {
-  const Linkage linkage = make_linkage(sheet);
+FarMotion go_on(const Linkage& linkage, const FoldingPath& begun, const MotionOptions& options, const Run& run) {
   const double clearance = options.clearance > 0 ? options.clearance : default_clearance(linkage);
   ApproachOptions approach;
   approach.frames = options.waypoints;
   approach.collision.clearance = clearance;
-  ContinuationResult found = approach_goal(sheet, begun, approach, run);
+  ContinuationResult found = approach_goal(linkage, begun, approach, run);
   const bool starts_flat = begun.waypoints.size() < 2;
   if (starts_flat && found.ending != Ending::Found && found.progress < kNearFlat && !run.over()) {
     approach.keep_sides = false;
-    ContinuationResult free = approach_goal(sheet, begun, approach, run);
+    ContinuationResult free = approach_goal(linkage, begun, approach, run);
     if (free.progress > found.progress) found = std::move(free);
   }
-  if (starts_flat && found.progress < kNearFlat) start_otherwise(sheet, approach, run, found);
+  if (starts_flat && found.progress < kNearFlat) start_otherwise(linkage, approach, run, found);
   FarMotion result;
   if (found.path.waypoints.size() > 1)
-    result.motion = prove_as_far(sheet, linkage, found.path, MotionMethod::Continuation, clearance, run);
+    result.motion = prove_as_far(linkage, found.path, MotionMethod::Continuation, clearance, run);
   if (result.motion.path.waypoints.size() > 1 && result.motion.proof.verdict == PathVerdict::Free) {
     const Configuration& end = result.motion.path.waypoints.back().config;
     result.share = share_of_way(linkage, end);
     result.reached = found.ending == Ending::Found && end == found.path.waypoints.back().config;
     if (result.reached) return result;
-    result.notes.push_back(fmt::format("{}; {}", why(sheet, found, result.motion), short_creases(sheet, linkage, end)));
+    result.notes.push_back(fmt::format("{}; {}", why(linkage, found, result.motion), short_creases(linkage, end)));
   } else {
-    result.notes.push_back(why(sheet, found, result.motion));
+    result.notes.push_back(why(linkage, found, result.motion));
   }
   return result;
 }
 
 FarMotion go_on_in_facets(const CreasePattern& sheet, const MotionOptions& options, const Run& run) {
   const Facets facets = cut_into_facets(sheet);
-  FarMotion result = go_on(facets.sheet, {}, options, run);
+  FarMotion result = go_on(make_linkage(facets.sheet), {}, options, run);
   if (result.motion.path.waypoints.empty()) return result;
   result.bends = bends_of(facets, sheet.num_faces(), result.motion.path);
   result.notes.push_back(bends_note(result.bends));
@@ -151,11 +145,11 @@ FarMotion go_on_in_facets(const CreasePattern& sheet, const MotionOptions& optio
 
 }  // namespace
 
-Motion prove_as_far(const CreasePattern& sheet, const Linkage& linkage, const FoldingPath& planned, MotionMethod method,
-                    double clearance, const Run& run) {
+Motion prove_as_far(const Linkage& linkage, const FoldingPath& planned, MotionMethod method, double clearance,
+                    const Run& run) {
   Motion motion{method, planned, {}};
   stretch_times(motion.path);
-  motion.path = refine_path(sheet, motion.path, kOpening * clearance, run);
+  motion.path = refine_path(linkage, motion.path, kOpening * clearance, run);
   std::vector<Waypoint>& waypoints = motion.path.waypoints;
   for (int cuts = 0; cuts <= kMostCuts; ++cuts) {
     motion.proof = prove_path(linkage, motion.path, {.clearance = clearance}, run);
@@ -171,12 +165,13 @@ Motion prove_as_far(const CreasePattern& sheet, const Linkage& linkage, const Fo
   return motion;
 }
 
-FarMotion go_as_far(const CreasePattern& sheet, const FoldingPath& begun, const MotionOptions& options,
-                    const Run& run) {
-  if (options.facets == FacetPolicy::All) return go_on_in_facets(sheet, options, run);
-  FarMotion whole = go_on(sheet, begun, options, run);
-  if (options.facets == FacetPolicy::None || whole.share >= kFarEnough || run.over()) return whole;
-  FarMotion cut = go_on_in_facets(sheet, options, run);
+FarMotion go_as_far(const Linkage& linkage, const CreasePattern* sheet, const FoldingPath& begun,
+                    const MotionOptions& options, const Run& run) {
+  const bool may_cut = sheet && options.facets != FacetPolicy::None;
+  if (may_cut && options.facets == FacetPolicy::All) return go_on_in_facets(*sheet, options, run);
+  FarMotion whole = go_on(linkage, begun, options, run);
+  if (!may_cut || whole.share >= kFarEnough || run.over()) return whole;
+  FarMotion cut = go_on_in_facets(*sheet, options, run);
   return cut.share > whole.share + kWorthCutting ? cut : whole;
 }
 

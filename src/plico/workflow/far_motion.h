@@ -17,12 +17,13 @@ struct FarMotion {
 
 // The part of a planned motion that can be proven: waypoints are inserted until hinges open by little (refine_path),
 // and what comes after the first moment that the proof refuses is left off. `clearance` in units.
-Motion prove_as_far(const CreasePattern& sheet, const Linkage& linkage, const FoldingPath& planned, MotionMethod method,
-                    double clearance, const Run& run = {});
+Motion prove_as_far(const Linkage& linkage, const FoldingPath& planned, MotionMethod method, double clearance,
+                    const Run& run = {});
 
 // `begun` is a path that stops early; the sheet goes on from there (origami/approach.h). Cuts panels (origami/facets.h)
-// as options.facets says: Auto when that brings the sheet farther than whole panels by at least a hundredth.
-FarMotion go_as_far(const CreasePattern& sheet, const FoldingPath& begun, const MotionOptions& options,
-                    const Run& run = {});
+// of `sheet`, that the linkage was made from, as options.facets says: Auto when that brings the sheet farther than
+// whole panels by at least a hundredth. Panels stay whole when it is null.
+FarMotion go_as_far(const Linkage& linkage, const CreasePattern* sheet, const FoldingPath& begun,
+                    const MotionOptions& options, const Run& run = {});
 
 }  // namespace plico

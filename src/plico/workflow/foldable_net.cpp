@@ -134,7 +134,7 @@ std::optional<Motion> planned_motion(const Mesh& mesh, const FoldForest& tree, c
   const Linkage linkage = linkage_of(lay_flat(mesh, tree));
   if (linkage.num_hinges() + 1 < static_cast<int>(linkage.panels.size())) return {};
   const MotionOptions planning{.seed = options.seed, .clearance = options.clearance};
-  return plan_motion(linkage, planning, run).motions.front();
+  return plan(linkage, planning, run).motions.front();
 }
 
 // The planner gets the rest of the time.

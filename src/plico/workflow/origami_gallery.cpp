@@ -118,8 +118,7 @@ std::optional<PatternFile> read_row(std::string_view bytes, const DrawingOptions
 }
 
 void plan_row(FoldFile& file, const Linkage& linkage, const MotionOptions& options, const Run& run, GalleryRow& row) {
-  const MotionOutcome outcome =
-      linkage.has_loops() ? plan_drawn(file.net.sheet, options, run) : plan_motion(linkage, options, run);
+  const MotionOutcome outcome = plan_drawn(file.net.sheet, options, run);
   row.planned = true;
   row.ending = outcome.ending;
   row.motion_notes = outcome.notes;

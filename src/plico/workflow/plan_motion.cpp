@@ -6,6 +6,8 @@
 #include "plico/base/error.h"
 #include "plico/base/rng.h"
 #include "plico/motion/collision.h"
+#include "plico/origami/closure.h"
+#include "plico/workflow/plan_origami.h"
 
 namespace plico {
 namespace {
@@ -90,13 +92,13 @@ class Planning {
 };
 
 // Motions of trees stay between flat and the goal, so only the goal can exceed a limit.
-void refuse_goal_beyond_limits(const Linkage& linkage) {
-  const int h = hinge_beyond_limits(linkage, goal(linkage));
-  if (h < 0) return;
-  const Hinge& hinge = linkage.hinges[h];
-  throw InvalidInput("fold/limits",
-                     fmt::format("the goal folds panels {} and {} by {:.4g} degrees, the limit is {:.4g}", hinge.left,
-                                 hinge.right, degrees(std::abs(hinge.target)), degrees(hinge.high)));
+MotionOutcome plan_tree(const Linkage& linkage, const MotionOptions& options, const Run& run) {
+  if (!contract(options.method).trees)
+    throw InvalidOption(fmt::format("{} is for crease patterns with loops; this sheet has none", name(options.method)));
+  if (options.grouped || !options.through.empty())
+    throw InvalidOption("crease groups and states to pass are for crease patterns with loops; this sheet has none");
+  require_within_limits(linkage, goal(linkage), "the goal");
+  return Planning(linkage, options, run).plan();
 }
 
 }  // namespace
@@ -118,16 +120,33 @@ FacetPolicy facet_policy(std::string_view name) {
   return static_cast<FacetPolicy>(at - names.begin());
 }
 
-bool is_for_loops(MotionMethod method) { return method >= MotionMethod::Continuation; }
+PlannerContract contract(MotionMethod method) {
+  switch (method) {
+    case MotionMethod::Auto:
+      return {.trees = true, .loops = true, .thickness = true, .goes_to_limits = true};
+    case MotionMethod::Linear:
+    case MotionMethod::Uniform:
+    case MotionMethod::LazyPrm:
+    case MotionMethod::RrtConnect:
+    case MotionMethod::Prm:
+      return {.trees = true, .thickness = true};
+    case MotionMethod::Continuation:
+    case MotionMethod::Reuse:
+      return {.loops = true, .goes_to_limits = true};
+    case MotionMethod::Frog:
+    case MotionMethod::MdFrog:
+      return {.loops = true};
+  }
+  PLICO_ASSERT(false);
+  return {};
+}
 
 std::string_view name(MotionMethod method) { return kMethods[static_cast<std::size_t>(method)]; }
 
-MotionOutcome plan_motion(const Linkage& linkage, const MotionOptions& options, const Run& run) {
+MotionOutcome plan(const Linkage& linkage, const MotionOptions& options, const Run& run) {
   require(options.alternatives >= 1, "alternatives", options.alternatives, "at least 1");
-  if (is_for_loops(options.method))
-    throw InvalidOption(fmt::format("{} is for crease patterns with loops; this sheet has none", name(options.method)));
-  refuse_goal_beyond_limits(linkage);
-  return Planning(linkage, options, run).plan();
+  require_closable(linkage);
+  return linkage.has_loops() ? plan_loops(linkage, options, run) : plan_tree(linkage, options, run);
 }
 
 NoiseVerdict fold_with_noise(const Linkage& linkage, const FoldingPath& path, double noise, int samples,
@@ -135,6 +154,7 @@ NoiseVerdict fold_with_noise(const Linkage& linkage, const FoldingPath& path, do
   require(noise >= 0, "angle noise", noise, "at least 0");
   require(samples >= 1, "samples", samples, "at least 1");
   constexpr int kSteps = 100;
+  const Configuration low = lower_limits(linkage), high = upper_limits(linkage);
   const Rng rng(seed);
   std::vector<double> stop(samples, -1);
   parallel_for(run, samples, [&](int i) {
@@ -147,7 +167,7 @@ NoiseVerdict fold_with_noise(const Linkage& linkage, const FoldingPath& path, do
     for (int k = 1; k <= kSteps && folded; ++k) {
       if (run.over()) return;
       const double t = static_cast<double>(k) / kSteps;
-      const Configuration config = (path.at(t) + t * off).cwiseMax(-kPi).cwiseMin(kPi);
+      const Configuration config = (path.at(t) + t * off).cwiseMax(low).cwiseMin(high);
       folded = !checker.collides(config);
       first = t;
     }

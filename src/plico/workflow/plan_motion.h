@@ -1,4 +1,5 @@
-// From a linkage to a proven motion: the straight one, the uniform one, or what a planner finds; then the proof.
+// From a linkage to a proven motion, whatever the linkage was made from: a net, a crease pattern, a part of a kit or a
+// strip of thick panels.
 #pragma once
 #include <optional>
 #include <string>
@@ -12,16 +13,24 @@
 
 namespace plico {
 
-// Continuation, Frog and MdFrog are for sheets with loops (workflow/plan_origami.h), the other planners for trees.
 // Reuse is no planner: the motion of a smaller sheet was carried over.
 enum class MotionMethod { Auto, Linear, Uniform, LazyPrm, RrtConnect, Prm, Continuation, Frog, MdFrog, Reuse };
 std::vector<std::string> motion_methods();          // "auto", "linear", ...: the planners, in the order above
 MotionMethod motion_method(std::string_view name);  // throws InvalidOption
 std::string_view name(MotionMethod method);
-bool is_for_loops(MotionMethod method);
 
-// Whether panels of a sheet with loops are cut by flat creases along which they bend: when whole ones do not reach the
-// goal, never, or all of them.
+// What a planner takes. Of Auto: what the planners take that it tries.
+struct PlannerContract {
+  bool trees = false, loops = false;  // linkages without loops, and with; else InvalidOption
+  bool thickness = false;             // thick panels without loops; with them InvalidInput "fold/thick-loops"
+  // A goal beyond the limits of a hinge. Without loops it is refused, InvalidInput "fold/limits". With loops the ending
+  // is Exhausted, and the motion goes as far as the limits; or else there is none.
+  bool goes_to_limits = false;
+};
+PlannerContract contract(MotionMethod method);
+
+// Whether panels of a sheet with loops are cut by flat creases along which they bend (plan_origami): when whole ones do
+// not reach the goal, never, or all of them.
 enum class FacetPolicy { Auto, None, All };
 std::vector<std::string> facet_policies();        // "auto", "none", "all"
 FacetPolicy facet_policy(std::string_view name);  // throws InvalidOption
@@ -58,9 +67,10 @@ struct MotionOutcome {
   bool proven() const { return !motions.empty() && motions.front().proof.verdict == PathVerdict::Free; }
 };
 
-// Every motion handed out as Free was proven by verify/path.h, whoever made it. For linkages without loops; throws
-// InvalidOption for a method that is for sheets with loops.
-MotionOutcome plan_motion(const Linkage& linkage, const MotionOptions& options = {}, const Run& run = {});
+// Every motion handed out as Free was proven by verify/path.h, whoever made it, and keeps the limits of all hinges.
+// Without loops: the straight motion, the uniform one, or what a planner finds. With loops: workflow/plan_origami.h.
+// Deterministic. Throws what the planner's contract says, InvalidOption for options that are not for such a linkage.
+MotionOutcome plan(const Linkage& linkage, const MotionOptions& options = {}, const Run& run = {});
 
 // How often a motion still folds when creases are made inexactly: in each sample every fold angle is off by a random
 // amount in [-noise, noise] radians at the goal, in proportion to time before.

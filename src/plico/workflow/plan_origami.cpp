@@ -24,64 +24,35 @@ constexpr int kMostCreasesSearched = 64;  // without being asked: the number of 
 
 std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
 
-std::string place_of(const CreasePattern& sheet, int vertex) {
-  return fmt::format("vertex {} ({:.6g}, {:.6g})", vertex, sheet.vertices[vertex].x(), sheet.vertices[vertex].y());
-}
-
-int edge_of(const CreasePattern& sheet, int hinge) {
-  const std::vector<int> hinges = hinge_of_edge(sheet);
-  return static_cast<int>(std::find(hinges.begin(), hinges.end(), hinge) - hinges.begin());
-}
-
-std::string crease_of(const CreasePattern& sheet, int hinge) {
-  const int edge = edge_of(sheet, hinge);
-  const Crease& crease = sheet.edges[edge];
-  const Vec2 middle = (sheet.vertices[crease.a] + sheet.vertices[crease.b]) / 2;
-  return fmt::format("crease {} (vertices {}-{}, near {:.6g} {:.6g})", edge, crease.a, crease.b, middle.x(),
-                     middle.y());
-}
-
-std::string obstacle_note(const CreasePattern& sheet, const ContinuationResult& result) {
-  const std::string where = percent(result.progress);
-  switch (result.obstacle) {
-    case Obstacle::None:
-      return {};
-    case Obstacle::GoalOpen:
-      return fmt::format("not rigid: the goal stays open by {:.3g} rad at {}", result.residual,
-                         place_of(sheet, result.vertex));
-    case Obstacle::Locked:
-      if (result.hinge >= 0)
-        return fmt::format("locked at {} of the way: {} would have to jump", where, crease_of(sheet, result.hinge));
-      return fmt::format("not rigid: locked at {} of the way; going on opens {} by {:.3g} rad", where,
-                         place_of(sheet, result.vertex), result.residual);
-    case Obstacle::WrongSide:
-      return fmt::format("left the branch at {} of the way: {} would turn against its goal", where,
-                         crease_of(sheet, result.hinge));
-    case Obstacle::Collision:
-      return fmt::format("collides after {} of the way, in frame {}: panels {}, {}", where,
-                         result.path.waypoints.size(), result.panels.a, result.panels.b);
-  }
-  return {};
-}
-
 void scale_times(FoldingPath& path) {
   const double last = path.waypoints.back().time;
   for (Waypoint& w : path.waypoints) w.time /= last;
   path.waypoints.back().time = 1;
 }
 
+void check(const MotionOptions& options) {
+  const MotionMethod method = options.method;
+  if (method == MotionMethod::Reuse) throw InvalidOption("reuse is no planner: it carries a motion over");
+  if (!contract(method).loops)
+    throw InvalidOption(
+        fmt::format("{} is for sheets without loops; try auto, continuation, frog or md-frog", name(method)));
+  if (!options.through.empty() && method != MotionMethod::Auto && method != MotionMethod::MdFrog)
+    throw InvalidOption(fmt::format("{} does not pass given states; md-frog does", name(method)));
+  if (options.grouped && method == MotionMethod::Frog)
+    throw InvalidOption("frog moves every crease by itself; continuation and md-frog plan in groups");
+}
+
 class OrigamiPlanning {
  public:
-  OrigamiPlanning(CreasePattern sheet, const MotionOptions& options, const Run& run)
-      : sheet_(std::move(sheet)), options_(options), run_(run), linkage_(make_linkage(sheet_)) {
-    limits_.resize(linkage_.num_hinges());
-    for (int h = 0; h < linkage_.num_hinges(); ++h) limits_[h] = linkage_.hinges[h].high;
+  // Panels are cut by flat creases only where the sheet is given that the linkage was made from.
+  OrigamiPlanning(Linkage linkage, std::optional<CreasePattern> sheet, const MotionOptions& options, const Run& run)
+      : linkage_(std::move(linkage)), sheet_(std::move(sheet)), options_(options), run_(run), planned_(&linkage_) {
     clearance_ = options.clearance > 0 ? options.clearance : default_clearance(linkage_);
   }
 
   MotionOutcome plan() {
     close_goal();
-    if (options_.grouped) groups_ = crease_groups(sheet_);
+    if (options_.grouped) groups_ = crease_groups(linkage_);
     switch (options_.method) {
       case MotionMethod::Frog:
         walk_randomly();
@@ -98,9 +69,10 @@ class OrigamiPlanning {
     return finish();
   }
 
-  MotionOutcome carry(const CreasePattern& small, const FoldingPath& path) {
-    const FoldingPath carried = reuse_path(small, path, sheet_);
+  MotionOutcome carry(const Linkage& small, const FoldingPath& path) {
+    const FoldingPath carried = reuse_path(small, path, linkage_);
     const double rest = (carried.waypoints.back().config - goal(linkage_)).lpNorm<Eigen::Infinity>();
+    goal_within_limits();
     outcome_.ending = rest <= kMostGoalMove ? Ending::Found : Ending::Exhausted;
     if (rest > kMostGoalMove)
       outcome_.notes.push_back(fmt::format("the motion given ends {:.3g} degrees short of the goal", degrees(rest)));
@@ -120,18 +92,12 @@ class OrigamiPlanning {
     ContinuationOptions continuation;
     continuation.frames = options_.waypoints;
     continuation.collision.clearance = options_.clearance;
-    if (within) {
-      continuation.projection.low = -limits_;
-      continuation.projection.high = limits_;
-    }
-    // A goal beyond the limits is still where the way leads, to be left where the material ends.
-    if (!within)
-      for (Crease& crease : sheet_.edges) crease.limit = kPi;
+    if (!within) plan_without_limits();
     const ContinuationResult found =
-        groups_ ? continue_in_groups(continuation) : continue_to_goal(sheet_, continuation, run_);
+        groups_ ? continue_in_groups(continuation) : continue_to_goal(*planned_, continuation, run_);
     outcome_.ending = found.ending;
     outcome_.progress = found.progress;
-    if (const std::string note = obstacle_note(sheet_, found); !note.empty()) outcome_.notes.push_back(note);
+    if (const std::string note = describe(linkage_, found); !note.empty()) outcome_.notes.push_back(note);
     if (found.ending == Ending::Found) prove(found.path, MotionMethod::Continuation);
     const bool blocked = found.obstacle != Obstacle::None && found.obstacle != Obstacle::GoalOpen;
     const bool refuted = found.ending == Ending::Found && !outcome_.proven();
@@ -148,9 +114,16 @@ class OrigamiPlanning {
     }
   }
 
+  // A goal beyond the limits is still where the way leads, to be left where the material ends (keep_limits).
+  void plan_without_limits() {
+    unlimited_ = linkage_;
+    for (Hinge& hinge : unlimited_->hinges) hinge.low = -kPi, hinge.high = kPi;
+    planned_ = &*unlimited_;
+  }
+
   // What does not reach the goal still leads as far as the sheet goes.
   void go_on_from(const FoldingPath& begun) {
-    FarMotion far = go_as_far(sheet_, begun, options_, run_);
+    FarMotion far = go_as_far(linkage_, sheet_ ? &*sheet_ : nullptr, begun, options_, run_);
     outcome_.notes.insert(outcome_.notes.end(), far.notes.begin(), far.notes.end());
     outcome_.progress = far.share;
     outcome_.ending = far.reached ? Ending::Found : Ending::Exhausted;
@@ -167,7 +140,7 @@ class OrigamiPlanning {
     continuation.essential = groups_->essential;
     outcome_.notes.push_back(fmt::format("planned with {} crease groups and {} of {} vertices", groups_->num_moving,
                                          groups_->essential.size(), groups_->type.size()));
-    ContinuationResult found = continue_to_goal(sheet_, continuation, run_);
+    ContinuationResult found = continue_to_goal(*planned_, continuation, run_);
     if (found.path.waypoints.size() < 2) return found;
     FoldingPath reached = found.path;
     scale_times(reached);  // a path that ends early is a motion all the same
@@ -175,7 +148,7 @@ class OrigamiPlanning {
     const double finer = std::ceil(1.1 * std::sqrt(gap / (kGapShare * clearance_)));
     if (finer <= 1) return found;
     continuation.frames = static_cast<int>(std::min(1e6, finer * continuation.frames));
-    return continue_to_goal(sheet_, continuation, run_);
+    return continue_to_goal(*planned_, continuation, run_);
   }
 
   // Then no way leads there.
@@ -190,11 +163,12 @@ class OrigamiPlanning {
   }
 
   void walk_randomly() {
+    if (!goal_within_limits()) return stay_flat();
     if (goal_collides()) return;
     FrogOptions frog;
     frog.seed = options_.seed;
     frog.collision.clearance = options_.clearance;
-    const FrogResult found = plico::frog(sheet_, frog, run_);
+    const FrogResult found = plico::frog(linkage_, frog, run_);
     outcome_.ending = found.ending;
     const double whole = goal(linkage_).norm();
     outcome_.progress = whole > 0 ? 1 - found.distance / whole : 1;
@@ -204,16 +178,21 @@ class OrigamiPlanning {
     if (found.path.waypoints.size() > 1) prove(found.path, MotionMethod::Frog);
   }
 
+  void stay_flat() {
+    outcome_.ending = Ending::Exhausted;
+    outcome_.progress = 0;
+  }
+
   // Through discrete states; a path that the proof refutes costs one connection. True when there is a proven motion.
   bool search_states() {
-    if (closure(real_vertices(sheet_), goal(linkage_)).worst > 1e-9) {
+    if (closure(linkage_.loops, goal(linkage_)).worst > 1e-9) {
       outcome_.ending = Ending::Exhausted;
       outcome_.notes.emplace_back("not rigid: the goal does not close");
       return false;
     }
     const bool goes_straight_first = options_.method == MotionMethod::Auto && options_.through.empty();
     if (!goes_straight_first && !goal_within_limits()) {
-      outcome_.ending = Ending::Exhausted;
+      stay_flat();
       return false;
     }
     if (options_.method == MotionMethod::MdFrog && goal_collides()) return false;
@@ -224,7 +203,7 @@ class OrigamiPlanning {
     options.intermediate = options_.through;
     if (groups_) options.discrete.groups = groups_->group;
     options.refute = [&](const FoldingPath& path) { return refute(path); };
-    const MdFrogResult found = md_frog(sheet_, options, run_);
+    const MdFrogResult found = md_frog(linkage_, options, run_);
     if (found.paths.empty()) {
       if (outcome_.motions.empty()) outcome_.ending = found.ending;
       const std::string tried = fmt::format("{} discrete states: {} connections tried, {} ways refuted by the proof",
@@ -244,7 +223,7 @@ class OrigamiPlanning {
 
   // The time at which the proof stops.
   std::optional<double> refute(const FoldingPath& path) const {
-    const FoldingPath fine = refine_path(sheet_, path, kGapShare * clearance_, run_);
+    const FoldingPath fine = refine_path(linkage_, path, kGapShare * clearance_, run_);
     const PathProof proof = prove_path(linkage_, fine, {.clearance = options_.clearance}, run_);
     if (proof.verdict == PathVerdict::Free) return {};
     return (proof.from + proof.to) / 2;
@@ -258,7 +237,8 @@ class OrigamiPlanning {
       int count = 0;
       for (int h = 0; h < path.states[i].size(); ++h) {
         if (std::abs(path.states[i][h] - path.states[i - 1][h]) < kLimitSlack) continue;
-        if (++count <= kMostCreasesNamed) creases += fmt::format("{}{}", count > 1 ? ", " : "", edge_of(sheet_, h));
+        if (++count <= kMostCreasesNamed)
+          creases += fmt::format("{}{}", count > 1 ? ", " : "", linkage_.hinges[h].edge);
       }
       const bool all_named = count <= kMostCreasesNamed;
       steps += fmt::format("{}{} crease{}{}", i > 1 ? ", then " : "", count, count == 1 ? "" : "s",
@@ -270,41 +250,47 @@ class OrigamiPlanning {
   // Angles in files are often rounded; what is nearly closed is meant to be closed.
   void close_goal() {
     const Configuration wanted = goal(linkage_);
-    Projector projector(sheet_);
+    Projector projector(linkage_);
     if (closure(projector.vertices(), wanted).worst <= 1e-9) return;
     const Projection projection = projector.project(wanted);
     const double move = (projection.config - wanted).cwiseAbs().maxCoeff();
     if (!projection.closed || move > kMostGoalMove) return;
-    const std::vector<int> hinges = hinge_of_edge(sheet_);
-    for (int e = 0; e < sheet_.num_edges(); ++e)
-      if (hinges[e] >= 0) sheet_.edges[e].fold_angle = projection.config[hinges[e]];
-    linkage_ = make_linkage(sheet_);
+    for (int h = 0; h < linkage_.num_hinges(); ++h) {
+      linkage_.hinges[h].target = projection.config[h];
+      if (sheet_) sheet_->edges[linkage_.hinges[h].edge].fold_angle = projection.config[h];
+    }
     outcome_.notes.push_back(
         fmt::format("goal angles moved by up to {:.3g} degrees so that they close", degrees(move)));
   }
 
   bool goal_within_limits() {
     std::vector<int> beyond;
+    const Configuration target = goal(linkage_);
     for (int h = 0; h < linkage_.num_hinges(); ++h)
-      if (std::abs(linkage_.hinges[h].target) > limits_[h] + kLimitSlack) beyond.push_back(h);
+      if (target[h] < linkage_.hinges[h].low - kLimitSlack || target[h] > linkage_.hinges[h].high + kLimitSlack)
+        beyond.push_back(h);
     if (beyond.empty()) return true;
     std::string creases;
     for (std::size_t i = 0; i < beyond.size() && i < kMostLimitedNamed; ++i)
-      creases += (i ? ", " : "") + crease_of(sheet_, beyond[i]);
-    const int first = beyond.front();
+      creases += (i ? ", " : "") + tell_hinge(linkage_, beyond[i]);
+    const Hinge& first = linkage_.hinges[beyond.front()];
     outcome_.notes.push_back(fmt::format(
         "limited: the goal folds {} crease{} beyond the material, the first to {:.4g} degrees, {:.4g} allowed: {}{}",
-        beyond.size(), beyond.size() == 1 ? "" : "s", degrees(std::abs(linkage_.hinges[first].target)),
-        degrees(limits_[first]), creases, beyond.size() > kMostLimitedNamed ? ", ..." : ""));
+        beyond.size(), beyond.size() == 1 ? "" : "s", degrees(std::abs(first.target)),
+        degrees(std::abs(first.target > 0 ? first.high : first.low)), creases,
+        beyond.size() > kMostLimitedNamed ? ", ..." : ""));
     return false;
   }
 
-  // Ends the path before its first waypoint beyond the limits.
+  // Ends the path before its first waypoint beyond the limits, and tells which crease ends it.
   void keep_limits(FoldingPath& path) {
     const auto beyond = std::find_if(path.waypoints.begin(), path.waypoints.end(), [&](const Waypoint& w) {
-      return ((w.config.cwiseAbs() - limits_).array() > kLimitSlack).any();
+      return hinge_beyond_limits(linkage_, w.config, kLimitSlack) >= 0;
     });
     if (beyond == path.waypoints.end()) return;
+    outcome_.notes.push_back(
+        fmt::format("limited: at {} of the way {} would turn beyond the material", percent(beyond->time),
+                    tell_hinge(linkage_, hinge_beyond_limits(linkage_, beyond->config, kLimitSlack))));
     path.waypoints.erase(beyond, path.waypoints.end());
     outcome_.ending = Ending::Exhausted;
     outcome_.progress = path.waypoints.empty() ? 0 : path.waypoints.back().time;
@@ -314,7 +300,7 @@ class OrigamiPlanning {
     FoldingPath path = planned;
     const double reached = path.waypoints.back().time;
     scale_times(path);
-    path = refine_path(sheet_, path, kGapShare * clearance_, run_);
+    path = refine_path(*planned_, path, kGapShare * clearance_, run_);
     for (Waypoint& w : path.waypoints) w.time *= reached;
     keep_limits(path);
     if (path.waypoints.size() < 2) return;
@@ -326,24 +312,26 @@ class OrigamiPlanning {
     outcome_.motions.push_back(std::move(motion));
   }
 
-  CreasePattern sheet_;
-  const MotionOptions& options_;
-  Configuration limits_;  // of each hinge
-  const Run& run_;
   Linkage linkage_;
+  std::optional<CreasePattern> sheet_;
+  const MotionOptions& options_;
+  const Run& run_;
+  std::optional<Linkage> unlimited_;
+  const Linkage* planned_;  // one of the two
   std::optional<CreaseGroups> groups_;
   double clearance_ = 0;
   MotionOutcome outcome_;
 };
 
 // Waypoints strictly between two, or none when the sheet does not close near the straight line.
-std::vector<Waypoint> between(Projector& projector, const Waypoint& a, const Waypoint& b, int pieces) {
+std::vector<Waypoint> between(Projector& projector, const ProjectOptions& within, const Waypoint& a, const Waypoint& b,
+                              int pieces) {
   std::vector<Waypoint> inserted;
   const double most = 0.5 * (b.config - a.config).cwiseAbs().maxCoeff();
   for (int i = 1; i < pieces; ++i) {
     const double share = static_cast<double>(i) / pieces;
     const Configuration straight = (1 - share) * a.config + share * b.config;
-    Projection projection = projector.project(straight);
+    Projection projection = projector.project(straight, within);
     if (!projection.closed || (projection.config - straight).cwiseAbs().maxCoeff() > most) return {};
     inserted.push_back({(1 - share) * a.time + share * b.time, std::move(projection.config)});
   }
@@ -352,10 +340,10 @@ std::vector<Waypoint> between(Projector& projector, const Waypoint& a, const Way
 
 }  // namespace
 
-FoldingPath refine_path(const CreasePattern& sheet, const FoldingPath& path, double gap, const Run& run) {
-  if (!(gap > 0)) throw InvalidOption(fmt::format("gap = {} must be above 0", gap));
-  const Linkage linkage = make_linkage(sheet);
-  Projector projector(sheet);
+FoldingPath refine_path(const Linkage& linkage, const FoldingPath& path, double gap, const Run& run) {
+  require(gap > 0, "gap", gap, "above 0");
+  Projector projector(linkage);
+  const ProjectOptions within{.low = lower_limits(linkage), .high = upper_limits(linkage)};
   FoldingPath refined = path;
   for (int i = 0; i < kRefinements; ++i) {
     const SheetMotion motion(linkage, refined);
@@ -367,7 +355,7 @@ FoldingPath refine_path(const CreasePattern& sheet, const FoldingPath& path, dou
       if (w + 1 == old.size() || motion.gap_after(static_cast<int>(w)) <= gap || run.over()) continue;
       const int pieces = std::min(
           kMostPieces, static_cast<int>(std::ceil(std::sqrt(1.05 * motion.gap_after(static_cast<int>(w)) / gap))));
-      for (Waypoint& inserted : between(projector, old[w], old[w + 1], pieces))
+      for (Waypoint& inserted : between(projector, within, old[w], old[w + 1], pieces))
         next.waypoints.push_back(std::move(inserted));
     }
     if (next.waypoints.size() == old.size()) break;
@@ -376,21 +364,22 @@ FoldingPath refine_path(const CreasePattern& sheet, const FoldingPath& path, dou
   return refined;
 }
 
-MotionOutcome plan_origami(const CreasePattern& sheet, const MotionOptions& options, const Run& run) {
-  const MotionMethod method = options.method;
-  if (method != MotionMethod::Auto && !is_for_loops(method))
-    throw InvalidOption(
-        fmt::format("{} is for sheets without loops; try auto, continuation, frog or md-frog", name(method)));
-  if (!options.through.empty() && method != MotionMethod::Auto && method != MotionMethod::MdFrog)
-    throw InvalidOption(fmt::format("{} does not pass given states; md-frog does", name(method)));
-  if (options.grouped && method == MotionMethod::Frog)
-    throw InvalidOption("frog moves every crease by itself; continuation and md-frog plan in groups");
-  return OrigamiPlanning(sheet, options, run).plan();
+MotionOutcome plan_loops(const Linkage& linkage, const MotionOptions& options, const Run& run) {
+  check(options);
+  return OrigamiPlanning(linkage, {}, options, run).plan();
 }
 
-MotionOutcome reuse_motion(const CreasePattern& small, const FoldingPath& path, const CreasePattern& large,
+MotionOutcome plan_origami(const CreasePattern& sheet, const MotionOptions& options, const Run& run) {
+  const Linkage linkage = make_linkage(sheet);
+  if (!linkage.has_loops()) return plan(linkage, options, run);
+  check(options);
+  return OrigamiPlanning(linkage, sheet, options, run).plan();
+}
+
+MotionOutcome reuse_motion(const Linkage& small, const FoldingPath& path, const Linkage& large,
                            const MotionOptions& options, const Run& run) {
-  return OrigamiPlanning(large, options, run).carry(small, path);
+  require_closable(large);
+  return OrigamiPlanning(large, {}, options, run).carry(small, path);
 }
 
 }  // namespace plico

@@ -44,7 +44,7 @@ void find_part_net_and_motion(const ProvePartOptions& options, const Run& run, P
 // No law folds the net: a planner may.
 void plan_part_motion(const ProvePartOptions& options, const Run& run, ProvenPart& part) {
   const Linkage linkage = linkage_of(part.net);
-  MotionOutcome planned = plan_motion(linkage, {.seed = options.seed}, run);
+  MotionOutcome planned = plan(linkage, {.seed = options.seed}, run);
   if (planned.motions.empty()) return;
   if (planned.proven()) part.ending = Ending::Found, part.proven_impossible = false;
   part.motion = std::move(planned.motions.front());

@@ -13,6 +13,7 @@ ProofStatus status_of(const PathProof& proof) {
     case PathVerdict::Collides:
       return ProofStatus::Collides;
     case PathVerdict::NotClosed:
+    case PathVerdict::BeyondLimits:
     case PathVerdict::Undecided:
       break;
   }

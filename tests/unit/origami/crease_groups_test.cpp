@@ -26,13 +26,13 @@ TEST(CreaseGroups, AreThoseOfTable33) {
     const CreaseGroups groups = crease_groups(sheet);
     EXPECT_EQ(groups.num_moving, 2);
     EXPECT_EQ(groups.essential.size(), 1);
-    EXPECT_EQ(covering_vertices(sheet, groups).size(), 1);
+    EXPECT_EQ(covering_vertices(make_linkage(sheet), groups).size(), 1);
   }
   for (const CreasePattern& sheet : {waterbomb_of(4, 6), waterbomb_of(8, 10), waterbomb_of(12, 22, true)}) {
     const CreaseGroups groups = crease_groups(sheet);
     EXPECT_EQ(groups.num_moving, 4);
     EXPECT_EQ(groups.essential.size(), 3);
-    EXPECT_EQ(covering_vertices(sheet, groups).size(), 1);  // the table's 3 is one of each type
+    EXPECT_EQ(covering_vertices(make_linkage(sheet), groups).size(), 1);  // the table's 3 is one of each type
   }
 }
 

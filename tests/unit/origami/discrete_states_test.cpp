@@ -60,7 +60,7 @@ TEST(Discrete, SailboatGroupedCountsOfTable32) {
 }
 
 TEST(Discrete, RandomSamplesFindTheSameStates) {
-  const auto sampled = sample_discrete_states(l2(), {.angles = AngleSet::Discrete4}, 20000);
+  const auto sampled = sample_discrete_states(make_linkage(l2()), {.angles = AngleSet::Discrete4}, 20000);
   auto all = discrete_states(l2(), {.angles = AngleSet::Discrete4}).states;
   ASSERT_EQ(sampled.states.size(), all.size());
   EXPECT_TRUE(sampled.states.front().isZero());

@@ -76,5 +76,20 @@ TEST(Frog, OptionsAreChecked) {
   EXPECT_THROW(frog(l2(), {.max_samples = 0}), InvalidOption);
 }
 
+TEST(Frog, KeepsTheLimitsOfTheHingesWithBothProjections) {
+  CreasePattern sheet = miura({.zigzag_angle = radians(100)});
+  const double widest = goal(make_linkage(sheet)).cwiseAbs().maxCoeff();
+  for (const FindFoldable find : {FindFoldable::GaussNewton, FindFoldable::Nlopt}) {
+    for (Crease& crease : sheet.edges) crease.limit = widest;
+    const FrogResult found = frog(sheet, {.max_samples = 5, .find = find});
+    EXPECT_GT(found.path.waypoints.size(), 1u);
+    EXPECT_EQ(waypoint_beyond_limits(make_linkage(sheet), found.path), -1);
+    for (Crease& crease : sheet.edges) crease.limit = 0.9 * widest;
+    const FrogResult never = frog(sheet, {.find = find});
+    EXPECT_EQ(never.ending, Ending::Exhausted);
+    EXPECT_EQ(never.counts.sampled, 0);
+  }
+}
+
 }  // namespace
 }  // namespace plico

@@ -143,5 +143,22 @@ TEST(FoldingOrder, MergesStretchesOfTheSameCreases) {
   EXPECT_EQ(order[1].from, 0.7);
 }
 
+TEST(MdFrog, RefusesAGoalAndAStateBeyondALimit) {
+  CreasePattern sheet = l2();
+  const Configuration target = goal(make_linkage(sheet));
+  for (Crease& crease : sheet.edges) crease.limit = radians(60);
+  EXPECT_THROW(md_frog(sheet), InvalidInput);
+  for (Crease& crease : sheet.edges) crease.fold_angle = 0;
+  EXPECT_THROW(md_frog(sheet, {.intermediate = {target}}), InvalidInput);
+}
+
+TEST(MdFrog, LooksAtEverySampleOfALinearConnection) {
+  for (const int samples : {1, 20, 32}) {
+    const MdFrogResult found = md_frog(l(), {.linear_samples = samples});
+    EXPECT_EQ(found.ending, Ending::Found);
+    EXPECT_EQ(found.samples, samples * found.connections_tried);
+  }
+}
+
 }  // namespace
 }  // namespace plico

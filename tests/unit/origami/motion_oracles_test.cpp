@@ -9,6 +9,7 @@
 #include "plico/fold/planar_faces.h"
 #include "plico/origami/bases.h"
 #include "plico/origami/continuation.h"
+#include "plico/origami/facets.h"
 #include "plico/origami/patterns.h"
 
 namespace plico {
@@ -43,7 +44,7 @@ TEST_P(FlatFoldableVertex, ModeAKeepsItsMultiplier) {
   const double p = std::sin((alpha_ - beta_) / 2) / std::sin((alpha_ + beta_) / 2), rho2 = 2.2;
   const double rho1 = scaled_half_angle(p, rho2);
   const ContinuationResult found = continue_to_goal(sheet({rho1, rho2, -rho1, rho2}));
-  ASSERT_EQ(found.ending, Ending::Found) << describe(found);
+  ASSERT_EQ(found.ending, Ending::Found) << name(found.obstacle);
   EXPECT_GE(found.path.waypoints.size(), 51u);
   for (const Waypoint& w : found.path.waypoints) {
     EXPECT_NEAR(w.config[0], scaled_half_angle(p, w.config[1]), 1e-9);
@@ -56,7 +57,7 @@ TEST_P(FlatFoldableVertex, ModeBKeepsItsMultiplier) {
   const double q = -std::cos((alpha_ + beta_) / 2) / std::cos((alpha_ - beta_) / 2), rho1 = 2.2;
   const double rho2 = scaled_half_angle(q, rho1);
   const ContinuationResult found = continue_to_goal(sheet({rho1, rho2, rho1, -rho2}));
-  ASSERT_EQ(found.ending, Ending::Found) << describe(found);
+  ASSERT_EQ(found.ending, Ending::Found) << name(found.obstacle);
   EXPECT_GE(found.path.waypoints.size(), 51u);
   for (const Waypoint& w : found.path.waypoints) {
     EXPECT_NEAR(w.config[1], scaled_half_angle(q, w.config[0]), 1e-9);
@@ -89,7 +90,7 @@ TEST(WaterbombMotion, OfFourGroupsKeepsItsRelationsAllTheWay) {
     const std::vector<RealVertex> vertices = real_vertices(sheet);
     const double d = -target.minCoeff();
     const ContinuationResult found = continue_to_goal(sheet, {.groups = groups_by_goal(sheet)});
-    ASSERT_EQ(found.ending, Ending::Found) << describe(found);
+    ASSERT_EQ(found.ending, Ending::Found) << name(found.obstacle);
     for (const Waypoint& w : found.path.waypoints) {
       EXPECT_LT(closure(vertices, w.config).worst, 1e-12);
       const double now = -w.config.minCoeff(), a = scaled_half_angle(std::sqrt(0.5), now);
@@ -110,8 +111,8 @@ TEST(MiuraMotion, KeepsItsRelationAllTheWayAtEverySize) {
     const MiuraOptions options{.columns = 24, .rows = 24, .zigzag_angle = radians(170), .facet_diagonals = diagonals};
     const CreasePattern sheet = miura(options);
     const Configuration target = goal(make_linkage(sheet));
-    const ContinuationResult found = continue_to_goal(sheet, {.hold_flat_facets = true});
-    ASSERT_EQ(found.ending, Ending::Found) << describe(found);
+    const ContinuationResult found = continue_to_goal(with_flat_creases_held(sheet));
+    ASSERT_EQ(found.ending, Ending::Found) << name(found.obstacle);
     for (const Waypoint& w : found.path.waypoints) {
       const double zigzag = w.config.cwiseAbs().maxCoeff();
       const double straight = scaled_half_angle(std::cos(options.sector), zigzag);
@@ -132,28 +133,37 @@ TEST(Continuation, SaysWhereTheSquareTwistLocks) {
   EXPECT_TRUE(found.obstacle == Obstacle::Locked || found.obstacle == Obstacle::WrongSide) << name(found.obstacle);
   EXPECT_TRUE(
       std::any_of(vertices.begin(), vertices.end(), [&](const RealVertex& v) { return v.vertex == found.vertex; }));
-  EXPECT_FALSE(describe(found).empty());
+  EXPECT_FALSE(describe(make_linkage(sheet), found).empty());
 }
 
 TEST(Continuation, SaysWhereAVertexIsLocked) {
   const CreasePattern sheet = star({0, kPi / 2, kPi, 1.5 * kPi}, {kPi, kPi, kPi, kPi});  // four valleys: no Maekawa
   const ContinuationResult found = continue_to_goal(sheet);
-  EXPECT_EQ(found.obstacle, Obstacle::Locked) << describe(found);
+  EXPECT_EQ(found.obstacle, Obstacle::Locked) << name(found.obstacle);
   EXPECT_EQ(found.vertex, 0);
   EXPECT_GT(found.residual, 1e-4);
   EXPECT_EQ(found.frame(), 1);
-  EXPECT_EQ(describe(found).substr(0, 28), "not rigid: locked in frame 1");
+  EXPECT_EQ(describe(make_linkage(sheet), found).substr(0, 51), "not rigid: locked at 0 % of the way; going on opens");
 }
 
 TEST(Continuation, StopsBeforeTheTubeCloses) {
   const CreasePattern sheet = waterbomb({.columns = 12, .rows = 12, .diagonal_angle = radians(55)});
   const ContinuationResult found = continue_to_goal(sheet, {.groups = groups_by_goal(sheet)});
-  ASSERT_EQ(found.obstacle, Obstacle::Collision) << describe(found);
+  ASSERT_EQ(found.obstacle, Obstacle::Collision) << name(found.obstacle);
   const double reached = degrees(-found.path.waypoints.back().config.minCoeff());
   EXPECT_GT(reached, 49.25);
   EXPECT_LT(reached, 49.277198 + 0.03);  // the clearance of the panels lets their rims pass by that much
   EXPECT_LT(found.panels.a, found.panels.b);
-  EXPECT_NE(describe(found).find("collides in frame"), std::string::npos);
+  EXPECT_NE(describe(make_linkage(sheet), found).find("collides after"), std::string::npos);
+}
+
+// The same sheet, each crease within the limit that `limit_of` has for it.
+template <class Limit>
+CreasePattern with_limits(CreasePattern sheet, Limit limit_of) {
+  const std::vector<int> hinge = hinge_of_edge(sheet);
+  for (int e = 0; e < sheet.num_edges(); ++e)
+    if (hinge[e] >= 0) sheet.edges[e].limit = limit_of(hinge[e]);
+  return sheet;
 }
 
 TEST(Continuation, KeepsTheLimitsOfTheMaterial) {
@@ -163,23 +173,15 @@ TEST(Continuation, KeepsTheLimitsOfTheMaterial) {
     for (const Waypoint& w : found.path.waypoints) angle = std::max(angle, w.config.cwiseAbs().maxCoeff());
     return angle;
   };
-  const ContinuationResult all = continue_to_goal(sheet, {.max_fold_angle = radians(90)});
-  ASSERT_EQ(all.ending, Ending::Found) << describe(all);
+  const ContinuationResult all = continue_to_goal(with_limits(sheet, [](int) { return radians(90); }));
+  ASSERT_EQ(all.ending, Ending::Found) << name(all.obstacle);
   EXPECT_LE(largest(all), radians(90));
   EXPECT_GT(largest(all), radians(30));
 
-  std::vector<double> table(make_linkage(sheet).num_hinges(), radians(90));
-  table[3] = radians(40);
-  const ContinuationResult one = continue_to_goal(sheet, {.max_fold_angles = table});
-  ASSERT_EQ(one.ending, Ending::Found) << describe(one);
+  const ContinuationResult one =
+      continue_to_goal(with_limits(sheet, [](int h) { return h == 3 ? radians(40) : radians(90); }));
+  ASSERT_EQ(one.ending, Ending::Found) << name(one.obstacle);
   for (const Waypoint& w : one.path.waypoints) EXPECT_LE(std::abs(w.config[3]), radians(40));
-  EXPECT_THROW(continue_to_goal(sheet, {.max_fold_angles = {1, 2}}), InvalidOption);
-
-  ContinuationOptions options;
-  options.projection.high = Configuration::Constant(table.size(), radians(50));
-  const ContinuationResult valleys = continue_to_goal(sheet, options);
-  ASSERT_EQ(valleys.ending, Ending::Found) << describe(valleys);
-  for (const Waypoint& w : valleys.path.waypoints) EXPECT_LE(w.config.maxCoeff(), radians(50));
 }
 
 TEST(Continuation, FoldsSheetsWithoutLoopsAndSheetsWithoutCreases) {

@@ -109,5 +109,16 @@ TEST(Separation, IsTheDistanceOrTheDepth) {
   EXPECT_NEAR(separation(piercing, ground).value, -0.1, 1e-15);
 }
 
+TEST(PathProof, ATurnBeyondTheLimitOfItsHingeIsNoMotion) {
+  Linkage strip = make_linkage(square_strip({1, 1}));
+  strip.hinges[1].high = 0.5;
+  const PathProof proof = prove_path(strip, linear_path(strip));
+  EXPECT_EQ(proof.verdict, PathVerdict::BeyondLimits);
+  EXPECT_EQ(proof.to, 1);
+  EXPECT_EQ(std::minmax(proof.panel_a, proof.panel_b), std::minmax(strip.hinges[1].left, strip.hinges[1].right));
+  strip.hinges[1].high = 1;
+  EXPECT_EQ(prove_path(strip, linear_path(strip)).verdict, PathVerdict::Free);
+}
+
 }  // namespace
 }  // namespace plico

@@ -10,7 +10,7 @@ namespace {
 
 TEST(PlanMotion, TakesTheStraightMotionWhenItIsFree) {
   const Linkage linkage = make_linkage(square_strip({1, 1, 1}));
-  const MotionOutcome outcome = plan_motion(linkage);
+  const MotionOutcome outcome = plan(linkage);
   ASSERT_TRUE(outcome.proven());
   EXPECT_EQ(outcome.ending, Ending::Found);
   EXPECT_EQ(outcome.motions.front().method, MotionMethod::Linear);
@@ -18,7 +18,7 @@ TEST(PlanMotion, TakesTheStraightMotionWhenItIsFree) {
 
 TEST(PlanMotion, HandsOutTheBestWhenNothingFolds) {
   const Linkage linkage = make_linkage(square_strip({1.7, 1.7, 1.7}));
-  const MotionOutcome outcome = plan_motion(linkage, {}, limited({}, 5));
+  const MotionOutcome outcome = plan(linkage, {}, limited({}, 5));
   EXPECT_EQ(outcome.ending, Ending::Exhausted);
   ASSERT_EQ(outcome.motions.size(), 1u);
   EXPECT_FALSE(outcome.proven());
@@ -27,7 +27,7 @@ TEST(PlanMotion, HandsOutTheBestWhenNothingFolds) {
 
 TEST(PlanMotion, OutOfTimeStillJudgesWhatItHandsOut) {
   const Linkage linkage = make_linkage(square_strip({1.7, 1.7, 1.7}));
-  const MotionOutcome outcome = plan_motion(linkage, {.method = MotionMethod::LazyPrm}, limited({}, 0));
+  const MotionOutcome outcome = plan(linkage, {.method = MotionMethod::LazyPrm}, limited({}, 0));
   EXPECT_EQ(outcome.ending, Ending::TimedOut);
   EXPECT_EQ(outcome.motions.front().proof.verdict, PathVerdict::Collides);
 }
@@ -35,7 +35,7 @@ TEST(PlanMotion, OutOfTimeStillJudgesWhatItHandsOut) {
 TEST(PlanMotion, NamesAndOptionsAreChecked) {
   for (const std::string& name : motion_methods()) EXPECT_NO_THROW(motion_method(name));
   EXPECT_THROW(motion_method("magic"), InvalidOption);
-  EXPECT_THROW(plan_motion(make_linkage(square_strip({1})), {.alternatives = 0}), InvalidOption);
+  EXPECT_THROW(plan(make_linkage(square_strip({1})), {.alternatives = 0}), InvalidOption);
 }
 
 TEST(FoldWithNoise, ExactCreasesFoldAndCrowdedOnesDoNot) {

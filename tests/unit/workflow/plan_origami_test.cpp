@@ -45,7 +45,7 @@ TEST(PlanOrigami, RefinedWaypointsCloseAndKeepTheGivenOnes) {
   const Linkage linkage = make_linkage(sheet);
   FoldingPath path;
   path.waypoints = {{0, goal(make_linkage(miura({.zigzag_angle = radians(60)})))}, {1, goal(linkage)}};
-  const FoldingPath refined = refine_path(sheet, path, 1e-4);
+  const FoldingPath refined = refine_path(make_linkage(sheet), path, 1e-4);
   EXPECT_GT(refined.waypoints.size(), 10u);
   EXPECT_LE(SheetMotion(linkage, refined).loops().gap, 1e-4);
   EXPECT_EQ(refined.waypoints.front().config, path.waypoints.front().config);
@@ -124,7 +124,8 @@ TEST(PlanOrigami, AMotionPlannedInGroupsFoldsALargerTessellation) {
   const MotionOutcome few = plan_origami(sheet(4, 6), {.grouped = true});
   ASSERT_TRUE(few.proven());
   EXPECT_EQ(few.notes.front(), "planned with 4 crease groups and 3 of 15 vertices");
-  const MotionOutcome many = reuse_motion(sheet(4, 6), few.motions.front().path, sheet(8, 10));
+  const MotionOutcome many =
+      reuse_motion(make_linkage(sheet(4, 6)), few.motions.front().path, make_linkage(sheet(8, 10)));
   EXPECT_EQ(many.ending, Ending::Found);
   ASSERT_TRUE(many.proven());
   EXPECT_EQ(many.motions.front().method, MotionMethod::Reuse);
@@ -134,7 +135,7 @@ TEST(PlanOrigami, AMotionPlannedInGroupsFoldsALargerTessellation) {
   FoldingPath half = few.motions.front().path;
   half.waypoints.resize(half.waypoints.size() / 2);
   for (Waypoint& w : half.waypoints) w.time /= half.waypoints.back().time;
-  const MotionOutcome cut = reuse_motion(sheet(4, 6), half, sheet(8, 10));
+  const MotionOutcome cut = reuse_motion(make_linkage(sheet(4, 6)), half, make_linkage(sheet(8, 10)));
   EXPECT_EQ(cut.ending, Ending::Exhausted);
   EXPECT_THAT(cut.notes.front(), MatchesRegex("the motion given ends .* degrees short of the goal"));
 }
@@ -219,8 +220,8 @@ TEST(PlanOrigami, EveryPlannerHonoursLimits) {
   const Linkage strip = make_linkage(limited_to(l(), radians(60)));
   for (const MotionMethod method : {MotionMethod::Auto, MotionMethod::Linear, MotionMethod::Uniform,
                                     MotionMethod::LazyPrm, MotionMethod::RrtConnect, MotionMethod::Prm}) {
-    EXPECT_THROW(plan_motion(strip, {.method = method}), InvalidInput) << name(method);
-    EXPECT_TRUE(plan_motion(make_linkage(l()), {.method = method}, limited({}, 20)).proven()) << name(method);
+    EXPECT_THROW(plan(strip, {.method = method}), InvalidInput) << name(method);
+    EXPECT_TRUE(plan(make_linkage(l()), {.method = method}, limited({}, 20)).proven()) << name(method);
   }
 }
 
@@ -237,7 +238,7 @@ TEST(PlanOrigami, GroupsGoAsFarAsTheSheetDoes) {
 TEST(PlanOrigami, OptionsAreChecked) {
   EXPECT_THROW(plan_origami(miura(), {.method = MotionMethod::LazyPrm}), InvalidOption);
   EXPECT_THROW(plan_origami(miura(), {.waypoints = 0}), InvalidOption);
-  EXPECT_THROW(refine_path(miura(), {}, 0), InvalidOption);
+  EXPECT_THROW(refine_path(make_linkage(miura()), {}, 0), InvalidOption);
 }
 
 TEST(PlanOrigami, OutOfTimeIsSaid) {

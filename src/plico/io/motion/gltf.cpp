@@ -217,6 +217,7 @@ std::string write_glb(const Linkage& linkage, const FoldingPath& path, const Glt
   if (!(options.seconds > 0)) throw InvalidOption(fmt::format("seconds = {} must be above 0", options.seconds));
   if (!(options.metres_per_unit > 0))
     throw InvalidOption(fmt::format("metres_per_unit = {} must be above 0", options.metres_per_unit));
+  require_within_limits(linkage, path);
   return GlbWriter(linkage, path, options).write();
 }
 

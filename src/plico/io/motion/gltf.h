@@ -15,7 +15,8 @@ struct GltfOptions {
 
 // The bytes of a .glb file, the same for the same input. glTF turns along the shorter arc between two keys, so a step
 // of more than 120 degrees gets keys in between. Front and back are materials of their own; panels of a linkage with
-// `thickness` are plates around z = 0. The sheet's +z is glTF's +y. O(panels + waypoints * hinges).
+// `thickness` are plates around z = 0. The sheet's +z is glTF's +y. O(panels + waypoints * hinges). Throws InvalidInput
+// for a motion beyond the limits of a hinge.
 std::string write_glb(const Linkage& linkage, const FoldingPath& path, const GltfOptions& options = {});
 
 }  // namespace plico

@@ -240,6 +240,7 @@ class MjcfWriter {
 RobotFile write_mjcf(const Linkage& linkage, const FoldingPath& path, const RobotOptions& options) {
   check(options);
   if (linkage.num_panels() == 0) throw InvalidInput("linkage/empty", "a linkage without panels has no bodies");
+  require_within_limits(linkage, path);
   return {MjcfWriter(linkage, path, options).write(), chain_warnings(linkage)};
 }
 

@@ -31,7 +31,8 @@ struct Picture {
 };
 
 // Panels seen in perspective: front and back in their own colours, creases and sides as lines, a soft shadow on the
-// ground. Rendered at three times the size with a depth buffer, then averaged. O(pixels + panels).
+// ground. Rendered at three times the size with a depth buffer, then averaged. O(pixels + panels). Throws InvalidInput
+// beyond the limits of a hinge.
 Picture render(const Linkage& linkage, const Configuration& config, const PictureOptions& options = {});
 
 // The bytes of a PNG file.

@@ -331,6 +331,7 @@ void draw_background(Canvas& canvas, const std::vector<float>& shadow) {
 }  // namespace
 
 Picture render(const Linkage& linkage, const Configuration& config, const PictureOptions& options) {
+  require_within_limits(linkage, config, "the picture", kLimitRounding);
   for (const auto& [name, value] : {std::pair("width", options.width), {"height", options.height}})
     if (value < 16 || value > 8192) throw InvalidOption(fmt::format("{} = {} must be in [16, 8192]", name, value));
   if (linkage.num_panels() == 0) throw InvalidInput("linkage/empty", "a linkage without panels cannot be drawn");

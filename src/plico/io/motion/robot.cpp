@@ -74,7 +74,7 @@ std::vector<AngleRange> angle_ranges(const Linkage& linkage, const FoldingPath& 
       ranges[h].high = std::max(ranges[h].high, config[h]);
     }
   };
-  include(goal(linkage));
+  include(goal(linkage).cwiseMax(lower_limits(linkage)).cwiseMin(upper_limits(linkage)));
   for (const Waypoint& waypoint : path.waypoints) include(waypoint.config);
   return ranges;
 }

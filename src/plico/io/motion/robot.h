@@ -31,7 +31,7 @@ PanelBody panel_body(const Linkage& linkage, int panel, const Vec3& origin, cons
 
 double plate_thickness(const Linkage& linkage, const RobotOptions& options);  // metres
 
-// From flat to goal and wherever the path goes, radians.
+// From flat to goal, as far as the limits of the hinge allow, and wherever the path goes, radians.
 struct AngleRange {
   double low = 0, high = 0;
 };

@@ -62,6 +62,7 @@ std::string fixed_joint(int panel) {
 
 RobotFile write_urdf(const Linkage& linkage, const FoldingPath& path, const RobotOptions& options) {
   check(options);
+  require_within_limits(linkage, path);
   const std::vector<PanelJoint> joints = panel_joints(linkage);
   const std::vector<AngleRange> ranges = angle_ranges(linkage, path);
   RobotFile file;

@@ -180,6 +180,7 @@ std::string viewer_page(const ViewerInput& input) {
   add_panels(data, input.linkage);
   add_tree(data, input.linkage);
   add_motion(data, input);
+  require_within_limits(input.linkage, input.path ? *input.path : linear_path(input.linkage));
   add_proof(data, input);
   add_home(data, input);
   add_pictures(data, input);

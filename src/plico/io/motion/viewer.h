@@ -39,7 +39,8 @@ struct ViewerInput {
 };
 
 // The page, complete; the same input gives the same bytes. Throws InvalidInput when `report` is not a JSON object, or a
-// collision or the path does not fit the linkage. O(panels + waypoints * hinges).
+// collision or the path does not fit the linkage, or the motion goes beyond the limits of a hinge. O(panels + waypoints
+// * hinges).
 std::string viewer_page(const ViewerInput& input);
 
 }  // namespace plico

@@ -45,6 +45,14 @@ void write_angles(JsonText& json, const std::vector<double>& angles) {
   json.list(angles, [&](double angle) { json.number(file_degrees(angle)); });
 }
 
+// What the material allows, where it is less than a whole turn.
+void write_limits(JsonText& json, const CreasePattern& sheet) {
+  const auto limited = [](const Crease& e) { return e.limit < kPi; };
+  if (std::none_of(sheet.edges.begin(), sheet.edges.end(), limited)) return;
+  json.key("edges_plico:maxFoldAngle");
+  json.list(sheet.edges, [&](const Crease& e) { limited(e) ? json.number(file_degrees(e.limit)) : json.raw("null"); });
+}
+
 template <class Point>
 void write_points(JsonText& json, const std::vector<Point>& points) {
   json.key("vertices_coords");
@@ -78,6 +86,7 @@ void write_edges(JsonText& json, const Unfolding& net) {
   std::vector<double> angles;
   for (const Crease& e : net.sheet.edges) angles.push_back(e.fold_angle);
   write_angles(json, angles);
+  write_limits(json, net.sheet);
   if (net.mate.empty()) return;
   json.key("edges_plico:mate");
   json.list(net.mate, [&](int mate) { mate < 0 ? json.raw("null") : json.integer(mate); });

@@ -536,6 +536,7 @@ bool is_ours(const std::string& key) {
                                           "edges_foldAngle",
                                           "edges_foldAngles",
                                           "edges_plico:mate",
+                                          "edges_plico:maxFoldAngle",
                                           "faces_vertices",
                                           "faces_plico:mesh_face",
                                           "faces_plico:part",

@@ -145,6 +145,7 @@ std::string page(const LoadedMotion& motion, Session& session) {
 
 std::string bytes_for(const std::string& path, const LoadedMotion& motion, const ExportArgs& args, Session& session) {
   const std::string kind = extension(path);
+  if (kind == "csv" || path.ends_with(".angles.svg")) require_within_limits(motion.linkage, motion.path);
   if (path.ends_with(".angles.svg")) return write_angle_plot(motion.path, {.title = motion.title});
   if (motion.chain && (kind == "glb" || kind == "urdf" || kind == "xml" || kind == "mjcf"))
     throw InvalidOption(fmt::format("{} would hold hinges with one axis; those of a thick chain have three", path),

@@ -33,7 +33,9 @@ void narrow_limits(CreasePattern& sheet, double most) {
   if (std::isnan(most)) return;
   if (!(most >= 0 && most <= kPi))
     throw InvalidOption(fmt::format("max-fold-angle = {:.6g} degrees must be in [0, 180]", degrees(most)));
-  for (Crease& crease : sheet.edges) crease.limit = std::min(crease.limit, most);
+  for (Crease& crease : sheet.edges)
+    if (crease.assignment != Assignment::Boundary && crease.assignment != Assignment::Cut)
+      crease.limit = std::min(crease.limit, most);
 }
 
 // The goal of another file of the same pattern.
@@ -47,12 +49,12 @@ Configuration state_of(const std::string& path, const Linkage& linkage, Session&
   return goal(other);
 }
 
-MotionOutcome reuse(const FoldFile& file, const MotionOptions& options, const std::string& path, Session& session) {
+MotionOutcome reuse(const Linkage& linkage, const MotionOptions& options, const std::string& path, Session& session) {
   const FoldFile small = read_sheet(path, session);
   if (!small.path)
     throw InvalidInput("fold/no-motion", path + " has no motion", path,
                        "plico fold " + path + " --grouped -o motion.fold");
-  return reuse_motion(small.net.sheet, *small.path, file.net.sheet, options, session.run());
+  return reuse_motion(make_linkage(small.net.sheet), *small.path, linkage, options, session.run());
 }
 
 MotionOutcome plan(const FoldFile& file, const Linkage& linkage, const FoldArgs& args, Session& session) {
@@ -66,14 +68,14 @@ MotionOutcome plan(const FoldFile& file, const Linkage& linkage, const FoldArgs&
                         facet_policy(args.facets)};
   if (linkage.has_loops()) {
     for (const std::string& state : args.through) options.through.push_back(state_of(state, linkage, session));
-    if (!args.reuse.empty()) return reuse(file, options, args.reuse, session);
+    if (!args.reuse.empty()) return reuse(linkage, options, args.reuse, session);
     const bool as_drawn = args.grouped || !args.through.empty();  // both speak of the creases of this very sheet
     return as_drawn ? plan_origami(file.net.sheet, options, session.run())
                     : plan_drawn(file.net.sheet, options, session.run());
   }
   if (args.grouped || !args.reuse.empty() || !args.through.empty())
     throw InvalidOption("--grouped, --reuse and --through are for crease patterns with loops; this sheet has none");
-  return plan_motion(linkage, options, session.run());
+  return plico::plan(linkage, options, session.run());
 }
 
 // "motion.fold", "motion-2.fold", ...: alternatives stand beside the first.

@@ -38,6 +38,9 @@ std::string motion_line(const PathProof& proof) {
     return fmt::format("does not close: open by {:.3g} rad at hinge {} (panels {} and {}), waypoint {}, t = {:.4g}",
                        proof.loops.residual, proof.loops.hinge, proof.panel_a, proof.panel_b, proof.loops.waypoint,
                        proof.from);
+  if (proof.verdict == PathVerdict::BeyondLimits)
+    return fmt::format("folds panels {} and {} beyond their limit at t = {:.4g}", proof.panel_a, proof.panel_b,
+                       proof.from);
   if (proof.too_coarse)
     return fmt::format(
         "add waypoints between t = {:.6g} and {:.6g}: the hinge of panels {} and {} may open by {:.3g}, "

@@ -210,6 +210,19 @@ TEST(Urdf, LimitsRunFromFlatToTheGoalAndAsFarAsThePathGoes) {
   EXPECT_THAT(file.warnings, IsEmpty());
 }
 
+TEST(RobotModels, JointsTurnNoFartherThanTheMaterialAndRefuseAMotionThatDoes) {
+  Linkage linkage = make_linkage(square_strip({1, -1}));
+  linkage.hinges[0].high = 0.5;
+  linkage.hinges[1].low = -0.25;
+  const FoldingPath kept = path_through({{0, {0, 0}}, {1, {0.5, -0.25}}});
+  EXPECT_THAT(write_urdf(linkage, kept).text, HasSubstr("lower=\"0\" upper=\"0.5\""));
+  EXPECT_THAT(write_urdf(linkage, kept).text, HasSubstr("lower=\"-0.25\" upper=\"0\""));
+  EXPECT_THAT(write_mjcf(linkage, kept).text, HasSubstr("range=\"0 0.5\""));
+  EXPECT_THROW(write_urdf(linkage, linear_path(linkage)), InvalidInput);
+  EXPECT_THROW(write_mjcf(linkage, linear_path(linkage)), InvalidInput);
+  EXPECT_THROW(write_glb(linkage, linear_path(linkage)), InvalidInput);
+}
+
 TEST(Urdf, WarnsOfDeepChainsAndLoops) {
   const Linkage strip = make_linkage(square_strip(std::vector<double>(100, 0.1)));
   EXPECT_THAT(write_urdf(strip, linear_path(strip)).warnings, ElementsAre(HasSubstr("50 hinges")));

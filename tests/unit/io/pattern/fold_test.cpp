@@ -88,6 +88,21 @@ TEST(Fold, NetReadsBackNumberForNumber) {
   EXPECT_EQ(write_fold(back), bytes);
 }
 
+TEST(Fold, LimitsOfCreasesAreWrittenAndReadBack) {
+  const Mesh mesh = cube();
+  FoldFile file = fold_file(mesh, cross_net(mesh));
+  EXPECT_EQ(write_fold(file).find("maxFoldAngle"), std::string::npos);
+  file.net.sheet.edges[2].limit = radians(95);
+  file.net.sheet.edges[3].limit = 0;
+  const std::string bytes = write_fold(file);
+  EXPECT_NE(bytes.find("\"edges_plico:maxFoldAngle\":[null,null,95,0,null"), std::string::npos) << bytes;
+  const FoldFile back = read_fold(bytes);
+  EXPECT_EQ(back.net.sheet.edges[2].limit, radians(95));
+  EXPECT_EQ(back.net.sheet.edges[3].limit, 0);
+  EXPECT_EQ(back.net.sheet.edges[4].limit, kPi);
+  EXPECT_EQ(write_fold(back), bytes);
+}
+
 TEST(Fold, FoldedFormIsTheMeshAndNamesTheMeshEdges) {
   const Mesh mesh = cube();
   const Unfolding net = cross_net(mesh);
