@@ -112,12 +112,6 @@ bool is_closed(const SquareGraph& graph, const std::vector<int>& walk) {
 
 }  // namespace
 
-SquareGraph graph_of(const VoxelShell& shell) {
-  SquareGraph graph;
-  for (const ShellSquare& square : shell.squares) graph.neighbours.push_back(square.neighbor);
-  return graph;
-}
-
 StackedChain stacked_chain(const VoxelMesh& voxels, CompactResult found, double thickness) {
   StackedChain chain;
   chain.found = std::move(found);

@@ -31,8 +31,6 @@ StackedChain stack_voxels(const VoxelMesh& voxels, const std::vector<int>& cycle
 // The same for a stack that is there already, of the chain in its path.
 StackedChain stacked_chain(const VoxelMesh& voxels, CompactResult found, double thickness);
 
-SquareGraph graph_of(const VoxelShell& shell);
-
 // The claim as a FOLD file: the strip as key frame, the shape as folded form, the rest under plico:chain; and back.
 // chain_claim() is empty for a file of another kind and throws InvalidInput ("chain/file") for a broken one.
 FoldFile chain_file(const ChainClaim& claim);
