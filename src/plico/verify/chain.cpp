@@ -13,6 +13,9 @@ namespace {
 constexpr double kExact = 1e-9;  // sides
 constexpr double kLoose = 1e-6;  // sides: what is farther from a lattice is not in it
 
+// Rounding of one pose after the other: a million of them were seen to add up to 8e-9 sides.
+double most_rounding(int panels) { return std::max(kExact, 1e-13 * panels); }
+
 using Cell = std::array<long, 3>;
 
 void report(ChainVerdict& verdict, const char* code, const std::string& message) {
@@ -86,7 +89,7 @@ void check_shape(const ChainClaim& claim, const Linkage& linkage, ChainVerdict& 
       const Vec3 flat(claim.sheet.vertices[v].x(), claim.sheet.vertices[v].y(), 0);
       const double error = (start * (poses[p] * flat) - claim.shape[v]).norm() / verdict.side;
       verdict.shape_error = std::max(verdict.shape_error, error);
-      if (!(error <= kExact))
+      if (!(error <= most_rounding(verdict.panels)))
         report(verdict, "chain/other-shape",
                fmt::format("folding puts a corner of panel {} {:.3g} sides from where the shape has it", p, error));
     }
@@ -132,7 +135,7 @@ void check_stack(const ChainClaim& claim, const Linkage& linkage, ChainVerdict& 
     const double tilt = 1 - std::abs(poses[p].linear()(2, 2));
     const double error = std::max((place - exact).norm() / verdict.side, tilt);
     verdict.stack_error = std::max(verdict.stack_error, error);
-    if (!(error <= kExact))
+    if (!(error <= most_rounding(verdict.panels)))
       report(verdict, "chain/no-slot", fmt::format("panel {} lies {:.3g} sides off its slot in the stack", p, error));
     if (const auto [at, fresh] = panel_in.emplace(slot, p); !fresh)
       report(verdict, "chain/slot-twice",

@@ -33,11 +33,11 @@ struct ChainVerdict {
 };
 
 // Checks that
+// (within 1e-9 sides; beyond 10,000 panels 1e-13 a panel, the rounding of so many poses in a row)
 //   - panels are equal squares, hinge i joins panels i and i + 1, and there is no other hinge;
-//   - folding by the shape's angles puts every corner where the shape has it (1e-9 sides);
+//   - folding by the shape's angles puts every corner where the shape has it;
 //   - the shape's squares lie in one cubic lattice, no square twice, and its sides meet in pairs: it is closed;
-//   - folding by the stack's angles puts every panel into a slot (x, y, layer) of its own (1e-9 sides), the box as
-//     claimed.
+//   - folding by the stack's angles puts every panel into a slot (x, y, layer) of its own, the box as claimed.
 // Never throws for a wrong chain: it says what is wrong. O(n log n).
 ChainVerdict verify_chain(const ChainClaim& claim);
 
