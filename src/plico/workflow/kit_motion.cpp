@@ -60,13 +60,21 @@ MotionMethod method_of(const Kit& kit) {
   return common.value_or(MotionMethod::Linear);
 }
 
+// Every piece is proven by itself, with a clearance that suits its panels; the largest of these suits all. 0 for none.
+double clearance_for_all(const Kit& kit) {
+  double largest = 0;
+  for (const ProvenPart& piece : kit.part)
+    if (piece.motion) largest = std::max(largest, piece.motion->proof.clearance);
+  return largest;
+}
+
 }  // namespace
 
 std::optional<Motion> motion_of_pieces(const Mesh& mesh, const Kit& kit, const Run& run) {
   const Linkage linkage = linkage_of(kit.net);
   if (linkage.num_hinges() == 0) return std::nullopt;
   FoldingPath path = joined_path(mesh, kit, linkage);
-  const PathProof proof = prove_path(linkage, path, {}, run);
+  const PathProof proof = prove_path(linkage, path, {.clearance = clearance_for_all(kit)}, run);
   return Motion{method_of(kit), std::move(path), proof};
 }
 

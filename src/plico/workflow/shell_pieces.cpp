@@ -16,6 +16,10 @@ namespace {
 
 constexpr double kInPlane = 1e-6;  // of the diagonal: a facet this near to the plane of a contact lies in it
 
+// Shells are moved inward from their planes by 1e-12 of the diagonal, so facets of one plane are that far from flat,
+// and slivers between them are to go.
+constexpr double kFlat = 1e-9;  // of a facet's size
+
 // The triangles of all shells, and the shell of each.
 struct ShellSoup {
   PolygonSoup soup;
@@ -41,7 +45,7 @@ ShellSoup soup_of(const std::vector<Shell>& shells) {
 // The mesh with its flat regions whole, and the shell of each face; the triangles where that would make no surface.
 void make_mesh(const ShellSoup& all, ShellPieces& result) {
   const Mesh triangles(all.soup);
-  FlatRegions flat = flat_regions(triangles, 1e-10);
+  FlatRegions flat = flat_regions(triangles, kFlat);
   result.pieces.part.assign(flat.soup.num_faces(), 0);
   for (std::size_t f = 0; f < flat.region.size(); ++f) result.pieces.part[flat.region[f]] = all.shell[f];
   result.mesh = Mesh(std::move(flat.soup));
