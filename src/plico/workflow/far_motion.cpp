@@ -1,6 +1,7 @@
 #include "plico/workflow/far_motion.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "plico/origami/approach.h"
@@ -17,6 +18,7 @@ constexpr double kWorthCutting = 0.01;  // of the way: what facets must gain
 constexpr double kFarEnough = 0.98;     // of the way: then panels are not cut
 constexpr double kNearFlat = 0.3;       // of the way: then creases may also turn against their goal on the way
 constexpr double kPulledTo[] = {0.1, 0.3, 0.6};
+constexpr double kShareOfTime = 0.45;  // that is left, for the first proof
 constexpr double kShort = radians(0.5);
 constexpr double kBends = 1e-9;  // radians
 constexpr int kMostNamed = 3;
@@ -110,6 +112,13 @@ void start_otherwise(const CreasePattern& sheet, const ApproachOptions& approach
   }
 }
 
+// A proof that a time limit ends has shown the beginning of the motion, which is proven again once the rest is cut off.
+Run leaving_time_to_cut(const Run& run) {
+  if (!run.deadline) return run;
+  const double left = std::chrono::duration<double>(*run.deadline - Run::Clock::now()).count();
+  return limited(run, kShareOfTime * std::max(0.0, left));
+}
+
 FarMotion go_on(const CreasePattern& sheet, const FoldingPath& begun, const MotionOptions& options, const Run& run) {
   const Linkage linkage = make_linkage(sheet);
   const double clearance = options.clearance > 0 ? options.clearance : default_clearance(linkage);
@@ -158,12 +167,14 @@ Motion prove_as_far(const CreasePattern& sheet, const Linkage& linkage, const Fo
   motion.path = refine_path(sheet, motion.path, kOpening * clearance, run);
   std::vector<Waypoint>& waypoints = motion.path.waypoints;
   for (int cuts = 0; cuts <= kMostCuts; ++cuts) {
-    motion.proof = prove_path(linkage, motion.path, {.clearance = clearance}, run);
-    if (motion.proof.verdict == PathVerdict::Free || motion.proof.interrupted) return motion;
+    motion.proof =
+        prove_path(linkage, motion.path, {.clearance = clearance}, cuts == 0 ? leaving_time_to_cut(run) : run);
+    if (motion.proof.verdict == PathVerdict::Free || run.over()) return motion;
     const double proven = motion.proof.from;
     const auto first_beyond =
         std::find_if(waypoints.begin(), waypoints.end(), [&](const Waypoint& w) { return w.time > proven; });
-    const auto last_kept = first_beyond - waypoints.begin() - 1 - (cuts > 0 ? 1 << cuts : 0);
+    const bool all_kept_is_proven = cuts == 0 || motion.proof.interrupted;
+    const auto last_kept = first_beyond - waypoints.begin() - 1 - (all_kept_is_proven ? 0 : 1 << cuts);
     if (last_kept < 1) break;
     waypoints.resize(last_kept + 1);
     stretch_times(motion.path);
