@@ -119,7 +119,8 @@ Run leaving_time_to_cut(const Run& run) {
   return limited(run, kShareOfTime * std::max(0.0, left));
 }
 
-FarMotion go_on(const CreasePattern& sheet, const FoldingPath& begun, const MotionOptions& options, const Run& run) {
+FarMotion go_on(const CreasePattern& sheet, const FoldingPath& begun, const MotionOptions& options, bool may_pull,
+                const Run& run) {
   const Linkage linkage = make_linkage(sheet);
   const double clearance = options.clearance > 0 ? options.clearance : default_clearance(linkage);
   ApproachOptions approach;
@@ -132,7 +133,7 @@ FarMotion go_on(const CreasePattern& sheet, const FoldingPath& begun, const Moti
     ContinuationResult free = approach_goal(sheet, begun, approach, run);
     if (free.progress > found.progress) found = std::move(free);
   }
-  if (starts_flat && found.progress < kNearFlat) start_otherwise(sheet, approach, run, found);
+  if (may_pull && starts_flat && found.progress < kNearFlat) start_otherwise(sheet, approach, run, found);
   FarMotion result;
   if (found.path.waypoints.size() > 1)
     result.motion = prove_as_far(sheet, linkage, found.path, MotionMethod::Continuation, clearance, run);
@@ -150,7 +151,7 @@ FarMotion go_on(const CreasePattern& sheet, const FoldingPath& begun, const Moti
 
 FarMotion go_on_in_facets(const CreasePattern& sheet, const MotionOptions& options, const Run& run) {
   const Facets facets = cut_into_facets(sheet);
-  FarMotion result = go_on(facets.sheet, {}, options, run);
+  FarMotion result = go_on(facets.sheet, {}, options, true, run);
   if (result.motion.path.waypoints.empty()) return result;
   result.bends = bends_of(facets, sheet.num_faces(), result.motion.path);
   result.notes.push_back(bends_note(result.bends));
@@ -185,7 +186,10 @@ Motion prove_as_far(const CreasePattern& sheet, const Linkage& linkage, const Fo
 FarMotion go_as_far(const CreasePattern& sheet, const FoldingPath& begun, const MotionOptions& options,
                     const Run& run) {
   if (options.facets == FacetPolicy::All) return go_on_in_facets(sheet, options, run);
-  FarMotion whole = go_on(sheet, begun, options, run);
+  // Whole panels that are locked will be cut; pulling them first is time lost.
+  const bool can_cut = options.facets == FacetPolicy::Auto &&
+                       std::any_of(sheet.faces.begin(), sheet.faces.end(), [](const auto& f) { return f.size() > 3; });
+  FarMotion whole = go_on(sheet, begun, options, !can_cut, run);
   if (options.facets == FacetPolicy::None || whole.share >= kFarEnough || run.over()) return whole;
   FarMotion cut = go_on_in_facets(sheet, options, run);
   return cut.share > whole.share + kWorthCutting ? cut : whole;
