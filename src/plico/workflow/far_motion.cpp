@@ -1,6 +1,7 @@
 #include "plico/workflow/far_motion.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "plico/origami/approach.h"
@@ -17,6 +18,7 @@ constexpr double kWorthCutting = 0.01;  // of the way: what facets must gain
 constexpr double kFarEnough = 0.98;     // of the way: then panels are not cut
 constexpr double kNearFlat = 0.3;       // of the way: then creases may also turn against their goal on the way
 constexpr double kPulledTo[] = {0.1, 0.3, 0.6};
+constexpr double kShareOfTime = 0.45;  // that is left, for the first proof
 constexpr double kShort = radians(0.5);
 constexpr double kBends = 1e-9;  // radians
 constexpr int kMostNamed = 3;
@@ -105,7 +107,15 @@ void start_otherwise(const Linkage& linkage, const ApproachOptions& approach, co
   }
 }
 
-FarMotion go_on(const Linkage& linkage, const FoldingPath& begun, const MotionOptions& options, const Run& run) {
+// A proof that a time limit ends has shown the beginning of the motion, which is proven again once the rest is cut off.
+Run leaving_time_to_cut(const Run& run) {
+  if (!run.deadline) return run;
+  const double left = std::chrono::duration<double>(*run.deadline - Run::Clock::now()).count();
+  return limited(run, kShareOfTime * std::max(0.0, left));
+}
+
+FarMotion go_on(const Linkage& linkage, const FoldingPath& begun, const MotionOptions& options, bool may_pull,
+                const Run& run) {
   const double clearance = options.clearance > 0 ? options.clearance : default_clearance(linkage);
   ApproachOptions approach;
   approach.frames = options.waypoints;
@@ -117,7 +127,7 @@ FarMotion go_on(const Linkage& linkage, const FoldingPath& begun, const MotionOp
     ContinuationResult free = approach_goal(linkage, begun, approach, run);
     if (free.progress > found.progress) found = std::move(free);
   }
-  if (starts_flat && found.progress < kNearFlat) start_otherwise(linkage, approach, run, found);
+  if (may_pull && starts_flat && found.progress < kNearFlat) start_otherwise(linkage, approach, run, found);
   FarMotion result;
   if (found.path.waypoints.size() > 1)
     result.motion = prove_as_far(linkage, found.path, MotionMethod::Continuation, clearance, run);
@@ -135,7 +145,7 @@ FarMotion go_on(const Linkage& linkage, const FoldingPath& begun, const MotionOp
 
 FarMotion go_on_in_facets(const CreasePattern& sheet, const MotionOptions& options, const Run& run) {
   const Facets facets = cut_into_facets(sheet);
-  FarMotion result = go_on(make_linkage(facets.sheet), {}, options, run);
+  FarMotion result = go_on(make_linkage(facets.sheet), {}, options, true, run);
   if (result.motion.path.waypoints.empty()) return result;
   result.bends = bends_of(facets, sheet.num_faces(), result.motion.path);
   result.notes.push_back(bends_note(result.bends));
@@ -152,12 +162,14 @@ Motion prove_as_far(const Linkage& linkage, const FoldingPath& planned, MotionMe
   motion.path = refine_path(linkage, motion.path, kOpening * clearance, run);
   std::vector<Waypoint>& waypoints = motion.path.waypoints;
   for (int cuts = 0; cuts <= kMostCuts; ++cuts) {
-    motion.proof = prove_path(linkage, motion.path, {.clearance = clearance}, run);
-    if (motion.proof.verdict == PathVerdict::Free || motion.proof.interrupted) return motion;
+    motion.proof =
+        prove_path(linkage, motion.path, {.clearance = clearance}, cuts == 0 ? leaving_time_to_cut(run) : run);
+    if (motion.proof.verdict == PathVerdict::Free || run.over()) return motion;
     const double proven = motion.proof.from;
     const auto first_beyond =
         std::find_if(waypoints.begin(), waypoints.end(), [&](const Waypoint& w) { return w.time > proven; });
-    const auto last_kept = first_beyond - waypoints.begin() - 1 - (cuts > 0 ? 1 << cuts : 0);
+    const bool all_kept_is_proven = cuts == 0 || motion.proof.interrupted;
+    const auto last_kept = first_beyond - waypoints.begin() - 1 - (all_kept_is_proven ? 0 : 1 << cuts);
     if (last_kept < 1) break;
     waypoints.resize(last_kept + 1);
     stretch_times(motion.path);
@@ -169,7 +181,10 @@ FarMotion go_as_far(const Linkage& linkage, const CreasePattern* sheet, const Fo
                     const MotionOptions& options, const Run& run) {
   const bool may_cut = sheet && options.facets != FacetPolicy::None;
   if (may_cut && options.facets == FacetPolicy::All) return go_on_in_facets(*sheet, options, run);
-  FarMotion whole = go_on(linkage, begun, options, run);
+  // Whole panels that are locked will be cut; pulling them first is time lost.
+  const bool will_cut =
+      may_cut && std::any_of(sheet->faces.begin(), sheet->faces.end(), [](const auto& f) { return f.size() > 3; });
+  FarMotion whole = go_on(linkage, begun, options, !will_cut, run);
   if (!may_cut || whole.share >= kFarEnough || run.over()) return whole;
   FarMotion cut = go_on_in_facets(*sheet, options, run);
   return cut.share > whole.share + kWorthCutting ? cut : whole;

@@ -10,7 +10,7 @@ namespace plico {
 namespace {
 
 constexpr double kClosesWell = 1e-9;    // radians: a goal that needs no settling
-constexpr double kSettlesBelow = 0.05;  // radians: a goal open by more was not drawn to close
+constexpr double kSettlesBelow = 5e-3;  // radians: a goal open by more was not drawn to close
 constexpr double kAllTheWay = 0.98;     // of it: then the drawing itself is not tried
 constexpr double kGain = 0.01;          // of the way: what the settled sheet may be short by
 

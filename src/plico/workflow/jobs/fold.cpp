@@ -132,6 +132,9 @@ int fold_file(const FoldArgs& args, Session& session) {
     if (linkage.has_loops())
       session.say(fmt::format("{} waypoints, {}", motion.path.waypoints.size(), loops_line(motion.proof.loops)));
   }
+  if (const auto found = static_cast<int>(outcome.motions.size()); found < args.alternatives && outcome.proven())
+    session.say(fmt::format("{} of {} motions found; no other one was that does not blend into {}", found,
+                            args.alternatives, found == 1 ? "it" : "these"));
   for (const std::string& note : outcome.notes) session.say(note);
   if (linkage.has_loops()) {
     const double share = share_of_motion(linkage, outcome, 0);

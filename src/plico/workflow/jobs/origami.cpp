@@ -271,7 +271,8 @@ int tell_facts(const InfoArgs& args, Session& session) {
   }
   session.print(human(args.file, checks));
   session.print(fmt::format("{}: {}\n", args.file, verdict(checks)));
-  return checks.usable() && !(args.strict && checks.count(Severity::Warning) > 0) ? kDone : kBadInput;
+  if (checks.usable() && checks.count(Severity::Warning) == 0) return kDone;
+  return checks.usable() && !args.strict ? kNo : kBadInput;
 }
 
 }  // namespace
