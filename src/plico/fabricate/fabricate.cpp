@@ -200,16 +200,25 @@ class Assembler {
   std::vector<const NetTab*> tab_of_;
 };
 
-// "A:1", "A:2", ... in the order of walking around the parts; both edges of a seam get the one first met. Seams that
-// wanted a tab and have none are marked, they need tape.
-std::vector<std::string> seam_names(const Unfolding& net, const Outlines& outlines, const Tabs& tabs) {
+// Seams are numbered in the order of walking around the parts, and both edges of one have its number. Where the mate is
+// on another part its letter comes first: "B12" on A is glued to "A12" on B. Seams that wanted a tab and have none are
+// marked, they need tape.
+std::vector<std::string> seam_names(const NetSides& sides, const Outlines& outlines, const Tabs& tabs) {
+  const Unfolding& net = sides.net();
   std::vector<std::string> names(net.sheet.num_edges());
-  for (std::size_t p = 0; p < outlines.size(); ++p) {
-    int number = 0;
-    for (const auto& loop : outlines[p])
-      for (int e : loop)
-        if (net.mate[e] >= 0 && names[e].empty())
-          names[e] = names[net.mate[e]] = fmt::format("{}:{}", part_name(static_cast<int>(p)), ++number);
+  const auto part_of = [&](int e) { return net.part[sides.side(e).panel]; };
+  int number = 0;
+  for (const auto& part : outlines) {
+    for (const auto& loop : part) {
+      for (int e : loop) {
+        const int mate = net.mate[e];
+        if (mate < 0 || !names[e].empty()) continue;
+        names[e] = names[mate] = fmt::format("{}", ++number);
+        if (part_of(e) == part_of(mate)) continue;
+        names[e] = part_name(part_of(mate)) + names[e];
+        names[mate] = part_name(part_of(e)) + names[mate];
+      }
+    }
   }
   for (int e : tabs.without)
     for (int side : {e, net.mate[e]}) names[side] += "°";
@@ -271,7 +280,7 @@ LayoutResult lay_out_pages(const Unfolding& model_net, const FoldedShape& shape,
   layout.parts = Assembler(sides, outlines, report.tabs, placed, shape, options).parts();
   add_marks(layout, sides, outlines, options.marks);
   run.report("writing labels", 0);
-  report.labels = add_labels(layout, seam_names(net, outlines, report.tabs), Font(), options.labels);
+  report.labels = add_labels(layout, seam_names(sides, outlines, report.tabs), Font(), options.labels);
   report.pages = static_cast<int>(layout.pages.size());
   report.parts = static_cast<int>(layout.parts.size());
   report.fill_ratio = placed.fill_ratio;

@@ -1,4 +1,4 @@
-// Edge ids: the same short text on both edges of a seam, where it can be read.
+// Edge ids: the same number on both edges of a seam, where it can be read.
 #pragma once
 #include <vector>
 

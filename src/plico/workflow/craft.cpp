@@ -18,6 +18,7 @@
 #include "plico/workflow/kit_motion.h"
 #include "plico/workflow/parts_file.h"
 #include "plico/workflow/show_proof.h"
+#include "plico/workflow/stand.h"
 
 namespace plico {
 namespace {
@@ -174,10 +175,12 @@ std::string fold_text(const Mesh& mesh, const CraftOptions& options, const Craft
   return write_fold(file);
 }
 
-std::string page_text(const CraftOptions& options, const CraftResult& result, const nlohmann::json& report) {
+std::string page_text(const Mesh& mesh, const CraftOptions& options, const CraftResult& result,
+                      const nlohmann::json& report) {
   ViewerInput page;
   page.title = options.name;
   page.linkage = linkage_of(result.net);
+  page.stand = stand_of(result.net, page.linkage, mesh, options.layout.size.up);
   page.report = report.dump();
   page.start = 1;  // the model, beside its net
   if (result.motion) {
@@ -230,7 +233,7 @@ CraftResult craft(const Mesh& mesh, const CraftOptions& options, const Run& run)
   result.files.push_back({options.name + ".fold", fold_text(mesh, options, result)});
   const nlohmann::json report = craft_report(mesh, result);
   result.files.push_back({"report.json", report.dump(2) + "\n"});
-  result.files.push_back({"index.html", page_text(options, result, report)});
+  result.files.push_back({"index.html", page_text(mesh, options, result, report)});
   return result;
 }
 

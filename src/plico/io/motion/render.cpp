@@ -174,10 +174,18 @@ class Canvas {
   std::vector<int> surface_;  // seen at each sample, -1 for none
 };
 
+std::vector<Pose> turned_poses(const Linkage& linkage, const Configuration& config, const Eigen::Matrix3d& turn) {
+  std::vector<Pose> poses = folding_map(linkage, config);
+  Pose whole = Pose::Identity();
+  whole.linear() = turn;
+  if (turn != Eigen::Matrix3d::Identity())
+    for (Pose& pose : poses) pose = whole * pose;
+  return poses;
+}
+
 // Every point of every panel, plates included.
-std::vector<Vec3> points_of(const Linkage& linkage, const Configuration& config) {
+std::vector<Vec3> points_of(const Linkage& linkage, const std::vector<Pose>& poses) {
   std::vector<Vec3> points;
-  const std::vector<Pose> poses = folding_map(linkage, config);
   for (int p = 0; p < linkage.num_panels(); ++p)
     for (const Vec3& v : linkage.panels[p])
       for (double side : {-0.5, 0.5}) points.push_back(poses[p] * (v + Vec3(0, 0, side * linkage.thickness)));
@@ -331,10 +339,11 @@ Picture render(const Linkage& linkage, const Configuration& config, const Pictur
   if (linkage.num_panels() == 0) throw InvalidInput("linkage/empty", "a linkage without panels cannot be drawn");
   std::vector<Vec3> content;
   for (const Configuration& c : options.frame) {
-    const std::vector<Vec3> points = points_of(linkage, c);
+    const std::vector<Vec3> points = points_of(linkage, turned_poses(linkage, c, options.turn));
     content.insert(content.end(), points.begin(), points.end());
   }
-  const std::vector<Vec3> now = points_of(linkage, config);
+  const std::vector<Pose> poses = turned_poses(linkage, config, options.turn);
+  const std::vector<Vec3> now = points_of(linkage, poses);
   content.insert(content.end(), now.begin(), now.end());
 
   double ground = content.front().z();
@@ -345,7 +354,6 @@ Picture render(const Linkage& linkage, const Configuration& config, const Pictur
 
   Canvas canvas(options.width * kSamples, options.height * kSamples);
   const View view(options.camera, content, canvas.width(), canvas.height());
-  const std::vector<Pose> poses = folding_map(linkage, config);
   draw_panels(canvas, view, linkage, poses);
   draw_lines(canvas, view, linkage, poses);
   if (!options.transparent) {
