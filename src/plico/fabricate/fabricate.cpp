@@ -200,6 +200,13 @@ class Assembler {
   std::vector<const NetTab*> tab_of_;
 };
 
+// Turned round, 6 reads as 9 and 86 as 98: a full stop says which way up such a number stands.
+std::string readable_number(int number) {
+  std::string digits = fmt::format("{}", number);
+  const bool turns = digits.find_first_not_of("01689") == std::string::npos;
+  return turns && digits.find_first_of("69") != std::string::npos ? digits + "." : digits;
+}
+
 // Seams are numbered in the order of walking around the parts, and both edges of one have its number. Where the mate is
 // on another part its letter comes first: "B12" on A is glued to "A12" on B. Seams that wanted a tab and have none are
 // marked, they need tape.
@@ -213,7 +220,7 @@ std::vector<std::string> seam_names(const NetSides& sides, const Outlines& outli
       for (int e : loop) {
         const int mate = net.mate[e];
         if (mate < 0 || !names[e].empty()) continue;
-        names[e] = names[mate] = fmt::format("{}", ++number);
+        names[e] = names[mate] = readable_number(++number);
         if (part_of(e) == part_of(mate)) continue;
         names[e] = part_name(part_of(mate)) + names[e];
         names[mate] = part_name(part_of(e)) + names[mate];

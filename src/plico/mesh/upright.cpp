@@ -1,7 +1,7 @@
 #include "plico/mesh/upright.h"
 
-#include <algorithm>
-#include <limits>
+#include <cmath>
+#include <utility>
 #include <vector>
 
 #include "plico/geom/convex2.h"
@@ -11,27 +11,39 @@
 namespace plico {
 namespace {
 
-constexpr int kMostLookedAt = 300;  // vertices whose mirror images are looked for
-constexpr double kNear = 0.01;      // of the diagonal: a mirror image is there
-constexpr double kMostMatch = 0.9;  // of the vertices, of what is symmetric
+constexpr double kSymmetric = 0.2;  // odd moments of what has equal halves, about
+constexpr double kClearly = 0.5;    // of the other axis' odd moments
 constexpr double kLowest = 0.03;    // of the height: what a shape stands on
 
-// The share of the vertices that have a partner on the other side of the middle plane across `axis`.
-double symmetry(const Mesh& mesh, int axis) {
-  const Eigen::AlignedBox3d box = bounding_box(mesh);
-  const double near = kNear * box.diagonal().norm();
-  const int n = mesh.num_vertices(), step = std::max(1, n / kMostLookedAt);
-  int looked = 0, matched = 0;
-  for (int v = 0; v < n; v += step, ++looked) {
-    Vec3 image = mesh.point(VertexId(v));
-    image[axis] = 2 * box.center()[axis] - image[axis];
-    for (int other = 0; other < n; ++other) {
-      if ((mesh.point(VertexId(other)) - image).squaredNorm() > near * near) continue;
-      ++matched;
-      break;
+// How unequal the halves on both sides of the middle across each axis are: the moments of the surface that vanish when
+// they are mirror images, however the surface is cut into faces.
+Vec3 odd_moments(const Mesh& mesh) {
+  std::vector<std::pair<double, Vec3>> points;  // with weights: midpoints of sides integrate what is quadratic
+  Vec3 middle = Vec3::Zero();
+  double total = 0;
+  for (FaceId f : mesh.faces()) {
+    const double weight = area(mesh, f) / mesh.degree(f);
+    for (HalfedgeId h : mesh.halfedges(f)) {
+      points.emplace_back(weight, (mesh.point(mesh.from(h)) + mesh.point(mesh.to(h))) / 2);
+      middle += weight * points.back().second;
+      total += weight;
     }
   }
-  return looked ? static_cast<double>(matched) / looked : 0;
+  if (!(total > 0)) return Vec3::Ones();
+  middle /= total;
+  Vec3 spread = Vec3::Zero();
+  for (const auto& [weight, p] : points) spread += weight / total * (p - middle).cwiseAbs2();
+  spread = spread.cwiseSqrt().cwiseMax(1e-12);
+  Eigen::Matrix3d third = Eigen::Matrix3d::Zero(), second = third;  // of x_i x_j^2 and x_i x_j
+  for (const auto& [weight, at] : points) {
+    const Vec3 p = (at - middle).cwiseQuotient(spread);
+    third += weight / total * p * p.cwiseAbs2().transpose();
+    second += weight / total * p * p.transpose();
+  }
+  Vec3 odd;
+  for (int i = 0; i < 3; ++i)
+    odd[i] = third.row(i).cwiseAbs().sum() + second.row(i).cwiseAbs().sum() - std::abs(second(i, i));
+  return odd;
 }
 
 // The area below the lowest points over that of the box, 0 when the middle of the vertices is not above it.
@@ -55,8 +67,9 @@ double steadiness(const Mesh& mesh, int up) {
 }  // namespace
 
 char guessed_up(const Mesh& mesh) {
-  const bool across_y = symmetry(mesh, 1) >= kMostMatch, across_z = symmetry(mesh, 2) >= kMostMatch;
-  if (across_y != across_z) return across_y ? 'z' : 'y';
+  const Vec3 odd = odd_moments(mesh);
+  if (odd.y() < kSymmetric && odd.y() < kClearly * odd.z()) return 'z';
+  if (odd.z() < kSymmetric && odd.z() < kClearly * odd.y()) return 'y';
   return steadiness(mesh, 2) > 1.2 * steadiness(mesh, 1) ? 'z' : 'y';
 }
 
