@@ -12,6 +12,7 @@ namespace plico {
 namespace {
 
 constexpr double kSymmetric = 0.2;  // odd moments of what has equal halves, about
+constexpr double kLopsided = 0.05;  // at least those of what has not; less is rounding
 constexpr double kClearly = 0.5;    // of the other axis' odd moments
 constexpr double kLowest = 0.03;    // of the height: what a shape stands on
 
@@ -68,8 +69,11 @@ double steadiness(const Mesh& mesh, int up) {
 
 char guessed_up(const Mesh& mesh) {
   const Vec3 odd = odd_moments(mesh);
-  if (odd.y() < kSymmetric && odd.y() < kClearly * odd.z()) return 'z';
-  if (odd.z() < kSymmetric && odd.z() < kClearly * odd.y()) return 'y';
+  const auto only_first_is_even = [](double a, double b) {
+    return a < kSymmetric && b > kLopsided && a < kClearly * b;
+  };
+  if (only_first_is_even(odd.y(), odd.z())) return 'z';
+  if (only_first_is_even(odd.z(), odd.y())) return 'y';
   return steadiness(mesh, 2) > 1.2 * steadiness(mesh, 1) ? 'z' : 'y';
 }
 
