@@ -4,6 +4,7 @@ export interface PageData {
   title: string;
   unit: string;
   thickness: number;
+  stand: { axis: [number, number, number]; angle: number }; // turn of the whole at time 1, in proportion before
   panels: number[][]; // outline of each panel: x0, y0, x1, y1, ...; flat, front up
   triangles: number[][]; // corners of each panel, three a triangle
   hinges: Hinge[];
@@ -46,7 +47,6 @@ export const degrees = (angle: number): number => (angle * 180) / Math.PI;
 
 // A rigid motion: nine entries of the rotation row by row, then the translation.
 export type Pose = Float64Array;
-const identity = (): Pose => Float64Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0);
 
 export function apply(m: Pose, x: number, y: number, z: number): [number, number, number] {
   return [
@@ -134,12 +134,13 @@ export class Model {
 
   // Where each panel is at a time in [0, 1]: the same walk along the tree as the library's folding_map.
   poses(time: number): Pose[] {
-    const { order, parentPanel, parentHinge, hinges, keys } = this.data;
+    const { order, parentPanel, parentHinge, hinges, keys, stand } = this.data;
     const poses: Pose[] = new Array(order.length);
+    const upright = rotationAbout([0, 0, 0], stand.axis, stand.angle * time);
     for (const p of order) {
       const h = parentHinge[p]!;
       if (h < 0) {
-        poses[p] = identity();
+        poses[p] = upright;
         continue;
       }
       const hinge = hinges[h]!;

@@ -203,6 +203,13 @@ class Assembler {
   std::vector<const NetTab*> tab_of_;
 };
 
+// Turned round, 6 reads as 9 and 86 as 98: a full stop says which way up such a number stands.
+std::string readable_number(int number) {
+  std::string digits = fmt::format("{}", number);
+  const bool turns = digits.find_first_not_of("01689") == std::string::npos;
+  return turns && digits.find_first_of("69") != std::string::npos ? digits + "." : digits;
+}
+
 // The number of every edge that is glued: given, or counted walking around the parts. Seams within a part are counted
 // by themselves, those between parts together.
 std::vector<int> seam_numbers(const NetSides& sides, const Outlines& outlines, const std::vector<int>& given) {
@@ -233,7 +240,7 @@ std::vector<std::string> seam_names(const NetSides& sides, const Outlines& outli
   for (int e = 0; e < net.sheet.num_edges(); ++e) {
     if (number[e] == 0) continue;
     const int here = sides.part(e), there = sides.part(net.mate[e]);
-    names[e] = fmt::format("{}{}", here == there ? "" : titles[there].id, number[e]);
+    names[e] = fmt::format("{}{}", here == there ? "" : titles[there].id, readable_number(number[e]));
   }
   for (int e : tabs.without)
     for (int side : {e, net.mate[e]}) names[side] += "°";

@@ -64,7 +64,7 @@ std::vector<KeyForm> forms(KeyWish wish) {
 class PageFiller {
  public:
   PageFiller(const PageOptions& page, const PlaceOptions& options)
-      : page_(page),
+      : page_(&page),
         wanted_(options.key),
         room_(printable(page)),
         gap_(options.gap),
@@ -117,13 +117,14 @@ class PageFiller {
   double radius() const { return gap_ / kCell + 0.5; }
   bool empty() const { return items_.empty(); }
   bool alone() const { return alone_; }
+  int first_item() const { return std::ranges::min(items_, {}, &Item::item).item; }
 
   // The finished page; parts are moved to the middle of the room above the key.
   Page finish(int number, double ruler, std::vector<Placement>& placements) {
     Page page;
-    page.size = page_.size;
+    page.size = page_->size;
     page.ruler = ruler;
-    const Vec2 margin = page_.margin.low();
+    const Vec2 margin = page_->margin.low();
     Vec2 shift = margin;
     if (alone_) {
       find_key(page);
@@ -151,7 +152,7 @@ class PageFiller {
         if (!spot) continue;
         page.key_form = form;
         page.key_upright = upright;
-        page.key_at = Vec2(spot->x, spot->y) * kCell + page_.margin.low();
+        page.key_at = Vec2(spot->x, spot->y) * kCell + page_->margin.low();
         return;
       }
     }
@@ -162,7 +163,7 @@ class PageFiller {
     double angle;
     Vec2 at;
   };
-  const PageOptions& page_;
+  const PageOptions* page_;
   KeyWish wanted_;
   Vec2 room_;
   double gap_;
@@ -230,6 +231,7 @@ class Placer {
       run.report("placing parts", done++, static_cast<long>(order.size()));
       add(i, items_.size() > kFew && run.over());
     }
+    std::ranges::stable_sort(pages_, {}, &PageFiller::first_item);  // part A on page 1
     Placed placed;
     placed.placements.resize(items_.size());
     for (std::size_t p = 0; p < pages_.size(); ++p)

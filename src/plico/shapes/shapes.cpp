@@ -205,6 +205,46 @@ PolygonSoup prism(int n) {
   return soup;
 }
 
+PolygonSoup frustum(int n, double top, double height) {
+  require("n", n, 3, 1'000'000);
+  PolygonSoup soup;
+  const auto ring = [&](double radius, double y) {
+    for (int i = 0; i < n; ++i) {
+      const double angle = 2 * kPi * (i + 0.5) / n;  // a side, not a corner, looks along x
+      soup.points.emplace_back(radius * plico::cos(angle), y, -radius * plico::sin(angle));
+    }
+  };
+  ring(1, 0);
+  std::vector<int> bottom, lid;
+  for (int i = 0; i < n; ++i) bottom.push_back(n - 1 - i), lid.push_back(n + i);
+  soup.add_face(bottom);
+  if (top > 0) {
+    ring(top, height);
+    soup.add_face(lid);
+  } else {
+    soup.points.emplace_back(0, height, 0);
+  }
+  for (int i = 0; i < n; ++i) {
+    const int next = (i + 1) % n;
+    if (top > 0)
+      soup.add_face({i, next, n + next, n + i});
+    else
+      soup.add_face({i, next, n});
+  }
+  return soup;
+}
+
+PolygonSoup house() {
+  PolygonSoup soup;
+  for (double z : {1.5, -1.5})
+    for (const Vec2& p : {Vec2(-1, 0), Vec2(1, 0), Vec2(1, 1.4), Vec2(0, 2.4), Vec2(-1, 1.4)})
+      soup.points.emplace_back(p.x(), p.y(), z);
+  soup.add_face({0, 1, 2, 3, 4});
+  soup.add_face({9, 8, 7, 6, 5});
+  for (int i = 0; i < 5; ++i) soup.add_face({(i + 1) % 5, i, 5 + i, 5 + (i + 1) % 5});
+  return soup;
+}
+
 PolygonSoup antiprism(int n) {
   require("n", n, 3, 1'000'000);
   const double side = 2 * plico::sin(kPi / n), shift = 2 * plico::sin(kPi / (2 * n));

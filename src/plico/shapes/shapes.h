@@ -26,6 +26,10 @@ PolygonSoup spiked(const Mesh& solid, double leg);
 
 // n-gons, n >= 3, on the unit circle; sides of equal edges.
 PolygonSoup prism(int n);
+// The same between the unit circle and one of radius `top`, `height` above it, standing on y = 0. With top = 0 the
+// sides meet in a point: a pyramid, or, for many sides, a cone.
+PolygonSoup frustum(int n, double top, double height);
+PolygonSoup house();  // a box with a ridged roof, standing on y = 0: 7 faces
 PolygonSoup antiprism(int n);
 
 // Every face of the icosahedron cut into frequency^2 triangles, corners moved out to the unit sphere: 20 frequency^2

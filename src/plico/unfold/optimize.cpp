@@ -32,7 +32,7 @@ constexpr double kFromHull = 0.7, kClimb = 0.9;
 // What one weak fold or needle weighs, against all that the hull weighs at the start.
 constexpr double kFault = 0.06;
 // How often on the way a net that folds is looked at closely.
-constexpr int kLooks = 8;
+constexpr int kLooks = 16;
 
 double interior_length(const Mesh& mesh) {
   double sum = 0;

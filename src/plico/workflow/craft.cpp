@@ -21,6 +21,7 @@
 #include "plico/workflow/kit_motion.h"
 #include "plico/workflow/parts_file.h"
 #include "plico/workflow/show_proof.h"
+#include "plico/workflow/stand.h"
 
 namespace plico {
 namespace {
@@ -193,14 +194,23 @@ std::string caption_of(const CraftOptions& options, const std::string& file) {
   return file.substr(begin, file.size() - begin - 4);
 }
 
+// Poses in the frame of the mesh, turned so that its up axis is z.
+std::vector<Pose> standing(std::vector<Pose> poses, const CraftOptions& options) {
+  if (options.layout.size.up != 'y') return poses;
+  const Pose upright = rotation_about(Vec3::Zero(), Vec3::UnitX(), kPi / 2);
+  for (Pose& pose : poses) pose = upright * pose;
+  return poses;
+}
+
 std::string page_text(const Mesh& mesh, const CraftOptions& options, const CraftResult& result,
                       const nlohmann::json& report) {
   ViewerInput page;
   page.title = options.name;
   page.linkage = linkage_of(result.net);
+  page.stand = stand_of(result.net, page.linkage, mesh, options.layout.size.up);
   page.report = report.dump();
   page.start = 1;  // the model, beside its net
-  if (result.kit && !result.kit->joints.empty() && result.motion) page.home = assembled(mesh, result.net);
+  if (result.kit && !result.kit->joints.empty() && result.motion) page.home = standing(assembled(mesh, result.net), options);
   if (result.motion) {
     const PathProof& proof = result.motion->proof;
     page.path = result.motion->path;
@@ -233,9 +243,9 @@ void add_pictures(const Mesh& mesh, const CraftOptions& options, CraftResult& re
   PictureOptions picture;
   picture.width = 900;
   picture.height = 700;
-  picture.home = assembled(mesh, result.net);
+  picture.home = standing(assembled(mesh, result.net), options);
   result.files.push_back({options.name + "-assembled.png", render_png(linkage, goal(linkage), picture)});
-  picture.home = exploded(mesh, *result.kit);
+  picture.home = standing(exploded(mesh, *result.kit), options);
   result.files.push_back({options.name + "-exploded.png", render_png(linkage, goal(linkage), picture)});
 }
 

@@ -213,7 +213,11 @@ BetterNet better_foldable_net(const Mesh& mesh, const FoldForest& tree, const Fo
                               const OptimizeOptions& wish, const Run& run) {
   const PanelKit kit = kit_of(mesh);
   const double clearance = options.clearance > 0 ? options.clearance : default_clearance(loose_panels(kit));
-  const auto new_cost = [&] { return std::make_unique<SampledCost>(mesh, kit, options, clearance); };
+  // A search that runs on for long without a collision at its samples needs more of them than one that ends at the
+  // first.
+  FoldableNetOptions close = options;
+  close.samples = 2 * options.samples;
+  const auto new_cost = [&] { return std::make_unique<SampledCost>(mesh, kit, close, clearance); };
   OptimizeResult found = optimize_foldable_net(mesh, tree, new_cost, wish, run);
   BetterNet better{std::move(found.forest), {}, {}, found.before, found.after};
   const Linkage linkage = linkage_of(lay_flat(mesh, better.tree));

@@ -142,7 +142,7 @@ def main():
             check_hundred(drawing)
         require(svg.size == (420, 594), "the page of the SVG is not A2")
         require(all(abs(a - b) < 0.01 for a, b in zip(pdf.size, (420, 594))), "the page of the PDF is not A2")
-        require(svg.texts.count("1") == 2 and svg.texts.count("7") == 2, "edge ids are no text")
+        require(svg.texts.count("7") == 2 and pdf.text.split().count("7") == 2, "edge ids are no text")
         require("100 mm" in pdf.text and "print at 100 %" in pdf.text, "no ruler")
         again = print_net(plico, net, "again", *options, "--threads", "2", "--title", "cube")
         first = print_net(plico, net, "first", *options, "--threads", "1", "--title", "cube")

@@ -61,5 +61,40 @@ TEST(Drawing, LettersBecomeOutlinesOrAreLeftOut) {
   EXPECT_EQ(strokes_in(none, Layer::Text), 0);
 }
 
+TEST(Drawing, TheInsideIsMirroredItsMountainsAreValleysAndItsLettersStayLetters) {
+  const Drawing outside = draw(cube_page()).front(),
+                inside = draw(cube_page(), {.title = "", .side = PaperSide::Inside}).front();
+  EXPECT_EQ(strokes_in(inside, Layer::Valley), strokes_in(outside, Layer::Mountain));
+  const auto cut = [](const Drawing& d) { return *std::ranges::find(d.strokes, Layer::Cut, &Stroke::layer); };
+  EXPECT_NEAR(signed_area(cut(inside).points), -signed_area(cut(outside).points), 1e-9);
+  for (const Text& text : inside.texts) {
+    EXPECT_GT(text.angle, -kPi / 2 - 1e-6);
+    EXPECT_LE(text.angle, kPi / 2 + 1e-6);
+  }
+  const std::vector<Drawing> both = draw(cube_page(), {.title = "", .side = PaperSide::Both});
+  ASSERT_EQ(both.size(), 2U);
+  EXPECT_TRUE(both[0].texts.empty());
+  EXPECT_EQ(strokes_in(both[0], Layer::Cut), 1);
+  EXPECT_EQ(strokes_in(both[1], Layer::Cut), 0);
+  EXPECT_EQ(both[1].texts.size(), outside.texts.size());
+}
+
+TEST(Drawing, TheShadowOfATabLiesOnThePanelThatItIsGluedUnder) {
+  const PageLayout layout = cube_page();
+  const Drawing with = draw(layout, {.title = "", .shadow_tabs = true}).front(), without = draw(layout).front();
+  ASSERT_EQ(with.strokes.size(), without.strokes.size() + 7);
+  int on_a_panel = 0;
+  for (const Stroke& stroke : with.strokes) {
+    if (stroke.layer != Layer::Mark || stroke.closed || stroke.points.size() != 4) continue;
+    for (const PlacedPanel& panel : layout.parts[0].panels) {
+      Eigen::AlignedBox2d box;  // the cube's net stands upright
+      for (const Vec2& p : panel.corners) box.extend(p);
+      box.extend(box.min() - Vec2::Constant(1e-6)), box.extend(box.max() + Vec2::Constant(1e-6));
+      on_a_panel += std::ranges::all_of(stroke.points, [&](const Vec2& p) { return box.contains(p); });
+    }
+  }
+  EXPECT_EQ(on_a_panel, 7);
+}
+
 }  // namespace
 }  // namespace plico

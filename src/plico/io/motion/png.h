@@ -17,7 +17,8 @@ struct Camera {
 struct PictureOptions {
   int width = 1200, height = 900;  // pixels, in [16, 8192]
   Camera camera;
-  bool transparent = false;  // no background and no shadow on the ground
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  // of the whole, before it is looked at
+  bool transparent = false;                            // no background and no shadow on the ground
   // What must fit into the picture, so that stills of one motion share one scale; empty: the configuration itself.
   std::vector<Configuration> frame;
   // A motion of every panel after it is folded, to show pieces of a kit where they belong; empty: none.

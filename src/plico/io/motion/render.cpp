@@ -174,9 +174,14 @@ class Canvas {
   std::vector<int> surface_;  // seen at each sample, -1 for none
 };
 
+// Where the panels are, put where they are at home, all of it turned.
 std::vector<Pose> poses_of(const Linkage& linkage, const Configuration& config, const PictureOptions& options) {
   std::vector<Pose> poses = folding_map(linkage, config);
   for (std::size_t p = 0; p < options.home.size(); ++p) poses[p] = options.home[p] * poses[p];
+  Pose whole = Pose::Identity();
+  whole.linear() = options.turn;
+  if (options.turn != Eigen::Matrix3d::Identity())
+    for (Pose& pose : poses) pose = whole * pose;
   return poses;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 #include "plico/base/error.h"
 #include "plico/geom/polygon.h"
@@ -64,6 +65,22 @@ PanelBody panel_body(const Linkage& linkage, int panel, const Vec3& origin, cons
   body.inertia(2, 2) = density * (m.xx + m.yy);
   body.inertia(0, 1) = body.inertia(1, 0) = -density * m.xy;
   return body;
+}
+
+std::vector<double> hinge_efforts(const Linkage& linkage, const RobotOptions& options) {
+  constexpr double kGravity = 9.81, kSpare = 2;
+  std::vector<double> effort(linkage.num_panels(), 0);
+  for (int p = 0; p < linkage.num_panels(); ++p) {
+    const PanelBody body = panel_body(linkage, p, Vec3::Zero(), options);
+    for (int at = p; linkage.parent_hinge[at] >= 0; at = linkage.parent_panel[at]) {
+      const Hinge& hinge = linkage.hinges[linkage.parent_hinge[at]];
+      const Vec2 from = hinge.from.head<2>() * options.metres_per_unit;
+      const Vec2 along = (hinge.to - hinge.from).head<2>().normalized();
+      const double lever = std::abs(cross(along, Vec2(body.centre.head<2>() - from)));
+      effort[at] += kSpare * kGravity * body.mass * lever;
+    }
+  }
+  return effort;
 }
 
 std::vector<AngleRange> angle_ranges(const Linkage& linkage, const FoldingPath& path) {

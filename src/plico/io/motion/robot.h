@@ -31,6 +31,10 @@ PanelBody panel_body(const Linkage& linkage, int panel, const Vec3& origin, cons
 
 double plate_thickness(const Linkage& linkage, const RobotOptions& options);  // metres
 
+// Newton metres that the hinge of each panel to its parent needs: twice what holds all that hangs on it against
+// gravity, stretched out flat. 0 for roots. O(panels * chain depth).
+std::vector<double> hinge_efforts(const Linkage& linkage, const RobotOptions& options);
+
 // From flat to goal, as far as the limits of the hinge allow, and wherever the path goes, radians.
 struct AngleRange {
   double low = 0, high = 0;

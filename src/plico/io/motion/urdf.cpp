@@ -44,13 +44,14 @@ std::string link(const Linkage& linkage, int panel, const PanelJoint& joint, con
       panel, robot_numbers(body.centre), body.mass, i(0, 0), i(0, 1) + 0.0, i(1, 1), i(2, 2), shape, shape);
 }
 
-std::string joint_text(int panel, const PanelJoint& joint, const AngleRange& range, const RobotOptions& options) {
+std::string joint_text(int panel, const PanelJoint& joint, const AngleRange& range, double effort,
+                       const RobotOptions& options) {
   return fmt::format(
       "  <joint name=\"hinge_{}\" type=\"revolute\">\n    <parent link=\"panel_{}\"/><child link=\"panel_{}\"/>\n"
       "    <origin xyz=\"{}\"/><axis xyz=\"{}\"/>\n"
-      "    <limit lower=\"{:.7g}\" upper=\"{:.7g}\" effort=\"1\" velocity=\"{:.7g}\"/>\n  </joint>\n",
+      "    <limit lower=\"{:.7g}\" upper=\"{:.7g}\" effort=\"{:.7g}\" velocity=\"{:.7g}\"/>\n  </joint>\n",
       joint.hinge, joint.parent, panel, robot_numbers(joint.offset * options.metres_per_unit),
-      robot_numbers(joint.axis), range.low + 0.0, range.high + 0.0, 10 * kPi / options.seconds);
+      robot_numbers(joint.axis), range.low + 0.0, range.high + 0.0, effort, 10 * kPi / options.seconds);
 }
 
 std::string fixed_joint(int panel) {
@@ -65,6 +66,7 @@ RobotFile write_urdf(const Linkage& linkage, const FoldingPath& path, const Robo
   require_within_limits(linkage, path);
   const std::vector<PanelJoint> joints = panel_joints(linkage);
   const std::vector<AngleRange> ranges = angle_ranges(linkage, path);
+  const std::vector<double> efforts = hinge_efforts(linkage, options);
   RobotFile file;
   file.warnings = chain_warnings(linkage);
   if (linkage.has_loops())
@@ -81,7 +83,7 @@ RobotFile write_urdf(const Linkage& linkage, const FoldingPath& path, const Robo
   for (int p : linkage.order) xml += link(linkage, p, joints[p], options);
   for (int p : linkage.order) {
     if (joints[p].parent >= 0)
-      xml += joint_text(p, joints[p], ranges[joints[p].hinge], options);
+      xml += joint_text(p, joints[p], ranges[joints[p].hinge], efforts[p], options);
     else if (num_roots > 1)
       xml += fixed_joint(p);
   }

@@ -177,6 +177,7 @@ std::string safe_in_html(const std::string& json) {
 std::string viewer_page(const ViewerInput& input) {
   if (input.linkage.num_panels() == 0) throw InvalidInput("linkage/empty", "a linkage without panels cannot be shown");
   Json data = {{"title", input.title}, {"unit", input.unit}, {"thickness", input.linkage.thickness}};
+  data["stand"] = {{"axis", list(input.stand.axis)}, {"angle", input.stand.angle}};
   add_panels(data, input.linkage);
   add_tree(data, input.linkage);
   add_motion(data, input);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "plico/fold/folding_path.h"
+#include "plico/io/motion/stand.h"
 
 namespace plico {
 
@@ -22,6 +23,8 @@ struct ViewerInput {
   std::string title = "Plico";
   std::string unit;  // of lengths; empty for none
   Linkage linkage;   // its flat panels are the drawing of the net
+
+  Stand stand;  // turns the whole while it folds
 
   std::optional<FoldingPath> path;  // none: straight from flat to folded
   double start = 0;                 // the moment shown first, in [0, 1]

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <tuple>
 
 #include "plico/base/error.h"
@@ -70,9 +71,9 @@ class Drafter {
   Drawing run() {
     for (const PlacedPart& part : layout_.parts)
       if (part.page == number_) draw_part(part);
+    if (options_.shadow_tabs) draw_shadows();
     if (page_.key_form != KeyForm::None) draw_key();
     put_in_order();
-    set_texts();
     return std::move(drawing_);
   }
 
@@ -86,19 +87,6 @@ class Drafter {
     std::ranges::stable_sort(drawing_.strokes, {}, [](const Stroke& stroke) {
       return stroke.layer == Layer::Cut ? std::abs(signed_area(stroke.points)) : -1;
     });
-  }
-
-  void set_texts() {
-    if (options_.text == TextForm::Text) return;
-    for (const Text& text : drawing_.texts) {
-      if (options_.text == TextForm::None) break;
-      const Eigen::Matrix2d turn = rotation(text.angle);
-      for (std::vector<Vec2> outline : font_.outlines(text.text, text.size)) {
-        for (Vec2& p : outline) p = text.start + turn * p;
-        drawing_.strokes.push_back({Layer::Text, std::move(outline), true, text.pen});
-      }
-    }
-    drawing_.texts.clear();
   }
 
   void fold_line(Assignment fold, const Vec2& a, const Vec2& b) {
@@ -131,6 +119,35 @@ class Drafter {
       write_centered(label.text, label.center, label.angle, label.size, kText);
     }
     for (const auto& outline : part.outlines) drawing_.strokes.push_back({Layer::Cut, outline, true, kCut, part.name});
+  }
+
+  // A point at `t` from the start of a tab's edge lies at `t` from the end of its mate, which runs the other way.
+  void draw_shadows() {
+    struct Place {
+      const PlacedPanel* panel = nullptr;
+      int side = 0, page = -1;
+      Vec2 from() const { return panel->corners[side]; }
+      Vec2 to() const { return panel->corners[(side + 1) % panel->corners.size()]; }
+    };
+    std::map<int, Place> place;
+    for (const PlacedPart& part : layout_.parts)
+      for (const PlacedPanel& panel : part.panels)
+        for (int i = 0; i < static_cast<int>(panel.edges.size()); ++i) place[panel.edges[i]] = {&panel, i, part.page};
+    for (const PlacedPart& part : layout_.parts) {
+      for (const Tab& tab : part.tabs) {
+        const auto at = place.find(tab.edge), under = place.find(tab.mate);
+        if (at == place.end() || under == place.end() || under->second.page != number_) continue;
+        const Vec2 along = (at->second.to() - at->second.from()).normalized();
+        const Vec2 back = (under->second.from() - under->second.to()).normalized();
+        Stroke shadow{Layer::Mark, {}, false, kFaint};
+        for (int i : {0, 3, 2, 1}) {
+          const Vec2 p = tab.corners[i] - at->second.from();
+          shadow.points.push_back(under->second.to() + p.dot(along) * back +
+                                  p.dot(perpendicular(along)) * perpendicular(back));
+        }
+        drawing_.strokes.push_back(std::move(shadow));
+      }
+    }
   }
 
   void write_centered(const std::string& text, const Vec2& center, double angle, double size, PenIndex pen) {
@@ -204,6 +221,59 @@ class Drafter {
   Drawing drawing_;
 };
 
+// As the other side of the paper shows it: left is right and mountains are valleys, but letters stay letters.
+Drawing seen_from_inside(Drawing drawing, const Font& font) {
+  const double width = drawing.size.x();
+  const auto flipped = [&](const Vec2& p) { return Vec2(width - p.x(), p.y()); };
+  for (Stroke& stroke : drawing.strokes) {
+    for (Vec2& p : stroke.points) p = flipped(p);
+    if (stroke.layer == Layer::Mountain || stroke.layer == Layer::Valley) {
+      stroke.layer = stroke.layer == Layer::Mountain ? Layer::Valley : Layer::Mountain;
+      stroke.pen = stroke.pen == kMountain ? kValley : kMountain;
+    }
+  }
+  for (Text& text : drawing.texts) {
+    const bool upright =
+        text.angle > kPi / 2 - 1e-9;  // of a key that stands on its side: stays readable from the right
+    text.start = flipped(text.start + rotation(text.angle) * Vec2(font.width(text.text, text.size), 0));
+    text.angle = upright ? -kPi / 2 : -text.angle;
+  }
+  return drawing;
+}
+
+void set_texts(Drawing& drawing, TextForm form, const Font& font) {
+  if (form == TextForm::Text) return;
+  for (const Text& text : drawing.texts) {
+    if (form == TextForm::None) break;
+    const Eigen::Matrix2d turn = rotation(text.angle);
+    for (std::vector<Vec2> outline : font.outlines(text.text, text.size)) {
+      for (Vec2& p : outline) p = text.start + turn * p;
+      drawing.strokes.push_back({Layer::Text, std::move(outline), true, text.pen});
+    }
+  }
+  drawing.texts.clear();
+}
+
+void keep_layers(Drawing& drawing, std::initializer_list<Layer> layers) {
+  const auto is_kept = [&](Layer layer) { return std::ranges::find(layers, layer) != layers.end(); };
+  std::erase_if(drawing.strokes, [&](const Stroke& stroke) { return !is_kept(stroke.layer); });
+  if (!is_kept(Layer::Text)) drawing.texts.clear();
+}
+
+void add_sides(Drawing outside, const DrawOptions& options, const Font& font, std::vector<Drawing>& drawings) {
+  if (options.side != PaperSide::Outside) {
+    Drawing inside = seen_from_inside(outside, font);
+    if (options.side == PaperSide::Both) {
+      keep_layers(outside, {Layer::Cut, Layer::Mountain, Layer::Valley});
+      keep_layers(inside, {Layer::Mark, Layer::Text, Layer::Mountain, Layer::Valley});
+      drawings.push_back(std::move(outside));
+    }
+    outside = std::move(inside);
+  }
+  set_texts(outside, options.text, font);
+  drawings.push_back(std::move(outside));
+}
+
 }  // namespace
 
 std::string_view name(Layer layer) {
@@ -224,7 +294,7 @@ std::vector<Drawing> draw(const PageLayout& layout, const DrawOptions& options) 
   const Font font;
   std::vector<Drawing> drawings;
   for (int page = 0; page < static_cast<int>(layout.pages.size()); ++page)
-    drawings.push_back(Drafter(layout, page, options, font).run());
+    add_sides(Drafter(layout, page, options, font).run(), options, font, drawings);
   return drawings;
 }
 

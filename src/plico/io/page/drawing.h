@@ -61,6 +61,11 @@ struct Perforation {
   double cut = 0, gap = 0;  // millimetres; cut = 0: folds stay lines
 };
 
+// Which side of the paper is printed. The outside is what one sees of the model; on the inside all is mirrored and
+// mountains are valleys. Both: two drawings a page, folds and cuts on the outside, ids and marks on the inside, in
+// register when printed duplex along the long edge.
+enum class PaperSide { Outside, Inside, Both };
+
 struct DrawOptions {
   DrawStyle style = DrawStyle::Paper;
   bool flat_creases = false;  // show folds that stay flat
@@ -68,6 +73,8 @@ struct DrawOptions {
   TextForm text = TextForm::Text;
   Perforation perforation = {};
   bool ruler = true;
+  PaperSide side = PaperSide::Outside;
+  bool shadow_tabs = false;  // where each tab lands, as thin lines on the panel it is glued under
 };
 void check(const DrawOptions& options);  // throws InvalidOption naming field, value and range
 

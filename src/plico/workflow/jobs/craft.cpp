@@ -44,6 +44,8 @@ CraftOptions craft_options(const CraftArgs& args, Session& session) {
   if (args.parts != "one") set_wish(*options.parts, args.parts);
   options.wish = hand_wish(args.optimize);
   options.layout = layout_options(args.print);
+  // Who says how large it is wants it, on as many pages as it takes.
+  options.layout.split = options.layout.split || options.layout.size.is_given();
   options.draw = draw_options(args.print, options.name);
   return options;
 }
@@ -58,7 +60,8 @@ std::string motion_text(const CraftResult& result) {
   return fmt::format("{}, not proven", result.motion_kind);
 }
 
-void print_pieces(const Session& session, const Kit& kit) {
+void print_pieces(const Session& session, const Mesh& mesh, const Kit& kit) {
+  const std::vector<int> step = assembly_steps(mesh, kit.parts);
   for (int i = 0; i < kit.parts.num_parts(); ++i) {
     const ProvenPart& piece = kit.part[i];
     const std::string motion =
@@ -66,14 +69,18 @@ void print_pieces(const Session& session, const Kit& kit) {
                      : std::string(piece.net.sheet.num_faces() == 1 ? "nothing turns" : "no motion");
     session.print(fmt::format("piece {:<4} {} panels, {}\n", kit.parts.names[i], piece.net.sheet.num_faces(), motion));
   }
+  std::string order;
+  for (int at = 1; at <= kit.parts.num_parts(); ++at)
+    order += " " + kit.parts.names[std::ranges::find(step, at) - step.begin()];
+  session.print(fmt::format("build     {}\n", order));
 }
 
-void print_result(const Session& session, const std::string& folder, const CraftResult& result) {
+void print_result(const Session& session, const std::string& folder, const Mesh& mesh, const CraftResult& result) {
   session.print(fmt::format("net        {} panels, {} {}, {}\n", result.verdict.panels, result.verdict.parts,
                             result.verdict.parts == 1 ? "part" : "parts",
                             result.verdict.valid() ? "verified free of overlap" : "NOT verified"));
   session.print(fmt::format("motion     {}\n", motion_text(result)));
-  if (result.kit) print_pieces(session, *result.kit);
+  if (result.kit) print_pieces(session, mesh, *result.kit);
   session.print(layout_text(result.layout.report));
   session.print(fmt::format("files      {}: ", folder));
   for (const CraftFile& file : result.files) session.print(fmt::format("{} ", file.name));
@@ -134,7 +141,7 @@ int write_result(const CraftArgs& args, const Mesh& mesh, const std::string& fol
                  Session& session) {
   for (const CraftFile& file : result.files) session.write(folder + "/" + file.name, file.bytes);
   session.report()["craft"] = craft_report(mesh, result);
-  print_result(session, folder, result);
+  print_result(session, folder, mesh, result);
   if (!args.shells) warn_of_small_edges(session, result);
   for (const Defect& defect : result.verdict.defects) session.warn(defect.message);
   for (const Defect& defect : result.joint_defects) session.warn(defect.message);
@@ -153,6 +160,7 @@ int craft_shells(const CraftArgs& args, Session& session) {
   const std::string folder = session.output_folder(stem(args.mesh));
   options.pieces = std::move(pieces.pieces);
   options.joints = std::move(pieces.joints);
+  options.layout.size.up = up_axis(args.print.up, pieces.mesh, session);
   return write_result(args, pieces.mesh, folder, craft(pieces.mesh, options, session.run()), session);
 }
 
@@ -163,7 +171,9 @@ int craft_file(const CraftArgs& args, Session& session) {
   Mesh given = read_mesh(args.mesh, args.repair, session);
   const std::string folder = session.output_folder(stem(args.mesh));
   const Mesh mesh = mesh_to_craft(std::move(given), args, session);
-  return write_result(args, mesh, folder, craft(mesh, craft_options(args, session), session.run()), session);
+  CraftOptions options = craft_options(args, session);
+  options.layout.size.up = up_axis(args.print.up, mesh, session);
+  return write_result(args, mesh, folder, craft(mesh, options, session.run()), session);
 }
 
 }  // namespace

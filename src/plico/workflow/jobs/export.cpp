@@ -1,6 +1,7 @@
 // plico export: a net or a motion as animation, robot model, table, page or picture.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -8,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "plico/base/error.h"
+#include "plico/base/units.h"
 #include "plico/io/motion/angle_plot.h"
 #include "plico/io/motion/csv.h"
 #include "plico/io/motion/gltf.h"
@@ -23,10 +25,12 @@
 #include "plico/verify/path.h"
 #include "plico/workflow/jobs/jobs.h"
 #include "plico/workflow/jobs/motion_report.h"
+#include "plico/workflow/jobs/print_options.h"
 #include "plico/workflow/jobs/read_sheet.h"
 #include "plico/workflow/jobs/session.h"
 #include "plico/workflow/show_proof.h"
 #include "plico/workflow/stack_views.h"
+#include "plico/workflow/stand.h"
 
 namespace plico::jobs {
 namespace {
@@ -34,9 +38,10 @@ namespace {
 constexpr double kProofSeconds = 20;  // for the page's verdict
 
 struct ExportArgs {
-  std::string file, trajectory, title;
+  std::string file, trajectory, title, up = "auto";
   double at = 1, seconds = 4, grams_per_square_metre = 160, sheet_thickness_mm = 0.2;
   double azimuth = radians(-35), elevation = radians(28);
+  double longest_mm = std::numeric_limits<double>::quiet_NaN();  // of the folded model, in robot models
   int width = 1200, height = 900;
   bool transparent = false;
 };
@@ -48,6 +53,7 @@ struct LoadedMotion {
   FoldingPath path;
   std::string title;
   std::optional<ChainClaim> chain = {};  // of thick squares
+  Stand stand = {};                      // of a net that knows its mesh
 };
 
 // A chain of thick squares never lies flat; without a motion all there is to show is its shape.
@@ -71,11 +77,37 @@ LoadedMotion read_motion(const ExportArgs& args, Session& session) {
                 : motion.chain   ? resting_in_shape(motion.linkage)
                                  : linear_path(motion.linkage);
   if (motion.title.empty()) motion.title = name_of(args.file);
+  const FoldFile& file = motion.file;
+  if (args.up == "sheet" || file.folded.empty() || file.net.mesh_face.empty() || file.net.mesh_vertex.empty())
+    return motion;
+  const Mesh mesh = folded_mesh(file);
+  motion.stand = stand_of(file.net, motion.linkage, mesh, up_axis(args.up, mesh, session));
   return motion;
 }
 
-RobotOptions robot_options(const LoadedMotion& motion, const ExportArgs& args) {
+// How large one unit is: as asked for, as the file says, or a millimetre, which is told.
+double metres_per_unit(const LoadedMotion& motion, const ExportArgs& args, Session& session) {
+  constexpr std::string_view kLengths[] = {"mm", "cm", "m", "in", "ft"};
+  const bool says = std::ranges::find(kLengths, motion.file.unit) != std::end(kLengths);
+  const double per_unit = says ? millimetres_per(motion.file.unit) / 1000 : 0.001;
+  Eigen::AlignedBox3d box;
+  const std::vector<Pose> poses = folding_map(motion.linkage, motion.path.at(1));
+  for (int p = 0; p < motion.linkage.num_panels(); ++p)
+    for (const Vec3& v : motion.linkage.panels[p]) box.extend(motion.stand.at(1) * (poses[p] * v));
+  const double longest = box.isEmpty() ? 0 : box.sizes().maxCoeff();
+  if (std::isnan(args.longest_mm)) {
+    if (!says)
+      session.warn(fmt::format(
+          "the robot is {:.3g} mm long, one unit being a millimetre; --longest says how large it is", longest));
+    return per_unit;
+  }
+  require(args.longest_mm > 0 && longest > 0, "longest", args.longest_mm, "above 0 mm");
+  return args.longest_mm / longest / 1000;
+}
+
+RobotOptions robot_options(const LoadedMotion& motion, const ExportArgs& args, Session& session) {
   RobotOptions options;
+  options.metres_per_unit = metres_per_unit(motion, args, session);
   options.name.clear();
   for (unsigned char c : motion.title) options.name += std::isalnum(c) || c == '-' ? static_cast<char>(c) : '_';
   options.grams_per_square_metre = args.grams_per_square_metre;
@@ -97,6 +129,7 @@ std::string picture(const LoadedMotion& motion, const ExportArgs& args) {
   options.width = args.width;
   options.height = args.height;
   options.transparent = args.transparent;
+  options.turn = motion.stand.at(args.at);
   options.camera.azimuth = args.azimuth;
   options.camera.elevation = args.elevation;
   return render_png(motion.linkage, motion.path.at(args.at), options);
@@ -132,6 +165,7 @@ std::string page(const LoadedMotion& motion, Session& session) {
   input.unit = motion.file.unit == "unit" ? "" : motion.file.unit;
   input.linkage = motion.linkage;
   input.path = motion.path;
+  input.stand = motion.stand;
   input.motion = motion.file.path ? planner_of(motion.file) : "linear";
   input.report = motion.file.report;
   if (motion.chain) {
@@ -151,9 +185,10 @@ std::string bytes_for(const std::string& path, const LoadedMotion& motion, const
     throw InvalidOption(fmt::format("{} would hold hinges with one axis; those of a thick chain have three", path),
                         "export to .html, .png or .csv");
   if (kind == "glb") return write_glb(motion.linkage, motion.path, {.seconds = args.seconds});
-  if (kind == "urdf") return robot_file(write_urdf(motion.linkage, motion.path, robot_options(motion, args)), session);
+  if (kind == "urdf")
+    return robot_file(write_urdf(motion.linkage, motion.path, robot_options(motion, args, session)), session);
   if (kind == "xml" || kind == "mjcf")
-    return robot_file(write_mjcf(motion.linkage, motion.path, robot_options(motion, args)), session);
+    return robot_file(write_mjcf(motion.linkage, motion.path, robot_options(motion, args, session)), session);
   if (kind == "csv") return write_trajectory_csv(motion.path);
   if (kind == "png") return picture(motion, args);
   if (kind == "html" || kind == "htm") return page(motion, session);
@@ -206,12 +241,16 @@ Job export_job() {
       .option("--trajectory", "FILE", "the motion of an .ori or .ori.json file: .trj or .trj.json", args->trajectory)
       .option("--title", "TEXT", "name shown on the page and given to the robot; the file's name by default",
               args->title)
+      .choice("--up", "axis of the mesh along which pages and pictures let the model stand; sheet: as the net lies",
+              args->up, {"auto", "y", "z", "sheet"})
       .option("--at", "TIME", "moment of a picture: 0 flat, 1 folded", args->at)
       .option("--picture-width", "PIXELS", "of a picture, in [16, 8192]", args->width)
       .option("--picture-height", "PIXELS", "of a picture, in [16, 8192]", args->height)
       .angle("--azimuth", "camera of a picture, around the sheet", args->azimuth)
       .angle("--elevation", "camera of a picture, above the sheet's plane", args->elevation)
       .flag("--transparent", "a picture without background and shadow", args->transparent)
+      .length("--longest", "of a robot model: longest side when folded; else a unit is what the file says, or 1 mm",
+              args->longest_mm)
       .option("--seconds", "SECONDS", "how long an animation or a trajectory lasts", args->seconds)
       .option("--grammage", "G_PER_M2", "mass of the sheet in a robot model", args->grams_per_square_metre)
       .option("--sheet-thickness", "MM", "thickness of panels in a robot model when the linkage has none",

@@ -32,10 +32,11 @@ struct NetArgs {
 };
 
 // What the file knows about the finished model; a file without a folded form has only its flat size.
-FoldedShape shape_of(FoldFile& file) {
+FoldedShape shape_of(FoldFile& file, const NetArgs& args, LayoutOptions& options, Session& session) {
   if (!file.folded.empty() && !file.net.mesh_face.empty() && !file.net.mesh_vertex.empty()) {
     const Mesh mesh = folded_mesh(file);
     attach_mesh(file.net, mesh);
+    options.size.up = up_axis(args.print.up, mesh, session);
     return folded_shape(mesh);
   }
   FoldedShape shape;
@@ -94,7 +95,8 @@ int print(const NetArgs& args, Session& session) {
           fmt::format("plico:parts tells of {} pieces, the net has {}", options.titles.size(), file.net.num_parts()),
           args.net);
   }
-  const LayoutResult result = lay_out_pages(file.net, shape_of(file), options, session.run());
+  const FoldedShape shape = shape_of(file, args, options, session);
+  const LayoutResult result = lay_out_pages(file.net, shape, options, session.run());
   const LayoutVerdict verdict = verify_layout(result.layout);
   session.report()["print"] = json_of(result.report);
   session.report()["print"]["overlaps"] = verdict.overlaps;

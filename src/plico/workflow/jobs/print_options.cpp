@@ -7,6 +7,8 @@
 
 #include "plico/base/error.h"
 #include "plico/base/units.h"
+#include "plico/mesh/upright.h"
+#include "plico/workflow/jobs/session.h"
 
 namespace plico::jobs {
 namespace {
@@ -72,7 +74,7 @@ void add_print_options(Job& job, PrintArgs& args) {
       .length("--longest", "longest side of the finished model; without any size, as large as fits one page a part",
               args.size.longest)
       .option("--scale", "K", "millimetres per unit of the model", args.scale)
-      .choice("--up", "axis of the height", args.up, {"y", "z"})
+      .choice("--up", "axis of the height; auto: guessed from the shape and told", args.up, {"auto", "y", "z"})
       .choice("--for",
               "who works on the pages: sets page, margin, style, text, perforation, ruler and legend, each of "
               "which its own option overrules",
@@ -97,6 +99,9 @@ void add_print_options(Job& job, PrintArgs& args) {
               {"auto", "text", "outlines", "none"})
       .option("--perforation", "CUT,GAP", "folds as rows of cuts with paper between them, as 2mm,1mm; 0: lines",
               args.perforation)
+      .choice("--side", "of the paper that is printed; both: cuts and folds outside, ids and marks inside, in register",
+              args.side, {"outside", "inside", "both"})
+      .flag("--shadow-tabs", "draw where each tab lands on the panel it is glued under", args.shadow_tabs)
       .flag("--no-ruler", "leave out the ruler", args.no_ruler)
       .flag("--no-legend", "leave out the legend", args.no_legend)
       .angle("--flat", "folds up to this angle count as flat and are hidden", args.flat)
@@ -107,7 +112,7 @@ void add_print_options(Job& job, PrintArgs& args) {
 LayoutOptions layout_options(const PrintArgs& args) {
   LayoutOptions options;
   options.size = args.size;
-  options.size.up = args.up[0];
+  options.size.up = args.up == "z" ? 'z' : 'y';
   options.size.scale = args.scale;
   const Machine& by = machine(args);
   options.page = {paper_size(or_else(args.page, by.page)), parse_margins(or_else(args.margin, by.margin))};
@@ -134,11 +139,23 @@ DrawOptions draw_options(const PrintArgs& args, const std::string& default_title
                       .flat_creases = args.show_flat_creases,
                       .title = args.title.empty() ? default_title : args.title,
                       .perforation = perforation(or_else(args.perforation, by.perforation)),
-                      .ruler = !args.no_ruler};
+                      .ruler = !args.no_ruler,
+                      .side = args.side == "inside" ? PaperSide::Inside
+                              : args.side == "both" ? PaperSide::Both
+                                                    : PaperSide::Outside,
+                      .shadow_tabs = args.shadow_tabs};
   const std::string text = or_else(args.text, by.text);
   options.text = text == "none" ? TextForm::None : text == "outlines" ? TextForm::Outlines : TextForm::Text;
   check(options);
   return options;
+}
+
+char up_axis(const std::string& wish, const Mesh& mesh, Session& session) {
+  if (wish == "y" || wish == "z") return wish[0];
+  const char up = guessed_up(mesh);
+  session.report()["up"] = std::string(1, up);
+  if (up != 'y') session.say(fmt::format("up is {}, by the look of the shape; --up y says otherwise", up));
+  return up;
 }
 
 nlohmann::json json_of(const LayoutReport& r) {
