@@ -12,7 +12,7 @@
 namespace plico {
 namespace {
 
-using Side = std::vector<int>;  // faces, ascending
+using FaceSet = std::vector<int>;  // ascending
 
 constexpr double kSymmetric = 1e-5;  // of the diagonal: files are rounded
 
@@ -73,8 +73,8 @@ std::optional<std::vector<int>> images_of_faces(const Mesh& mesh, const std::vec
   return image;
 }
 
-Side without(const Side& a, const Side& b) {
-  Side rest;
+FaceSet without(const FaceSet& a, const FaceSet& b) {
+  FaceSet rest;
   std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(rest));
   return rest;
 }
@@ -82,7 +82,7 @@ Side without(const Side& a, const Side& b) {
 // Sides that are cut off a part, one or two, and how good that is.
 struct MirroredCut {
   double score = std::numeric_limits<double>::infinity();
-  std::vector<Side> sides;
+  std::vector<FaceSet> sides;
 };
 
 class MirroredCutter {
@@ -90,20 +90,20 @@ class MirroredCutter {
   MirroredCutter(const DualGraph& graph, const std::vector<int>& image, const NeckOptions& options)
       : graph_(graph), image_(image), options_(options) {}
 
-  Side mirrored(const Side& side) const {
-    Side result;
+  FaceSet mirrored(const FaceSet& side) const {
+    FaceSet result;
     for (int f : side) result.push_back(image_[f]);
     std::sort(result.begin(), result.end());
     return result;
   }
 
-  MirroredCut best(const Side& faces) const {
+  MirroredCut best(const FaceSet& faces) const {
     MirroredCut cut;
     const std::optional<Neck> neck = best_neck(graph_, faces, options_);
     if (!neck) return cut;
     if (mirrored(faces) != faces) return {neck->score, {neck->side}};
-    const Side other = mirrored(neck->side);
-    Side all, both;
+    const FaceSet other = mirrored(neck->side);
+    FaceSet all, both;
     std::set_union(neck->side.begin(), neck->side.end(), other.begin(), other.end(), std::back_inserter(all));
     std::set_intersection(neck->side.begin(), neck->side.end(), other.begin(), other.end(), std::back_inserter(both));
     consider_pair(faces, without(neck->side, other), cut);
@@ -114,10 +114,10 @@ class MirroredCutter {
 
  private:
   // A side and its image, which leave something connected, or nothing.
-  void consider_pair(const Side& faces, const Side& side, MirroredCut& cut) const {
+  void consider_pair(const FaceSet& faces, const FaceSet& side, MirroredCut& cut) const {
     const std::optional<Neck> one = neck_at(graph_, faces, side, options_);
     if (!one || one->score >= cut.score) return;
-    const Side other = mirrored(one->side), rest = without(faces, one->side);
+    const FaceSet other = mirrored(one->side), rest = without(faces, one->side);
     if (without(one->side, other).size() != one->side.size()) return;
     if (other == rest) {
       cut = {one->score, {one->side}};
@@ -127,7 +127,7 @@ class MirroredCutter {
     if (two && (two->side == other || without(rest, two->side) == other)) cut = {one->score, {one->side, other}};
   }
 
-  void consider_single(const Side& faces, const Side& side, MirroredCut& cut) const {
+  void consider_single(const FaceSet& faces, const FaceSet& side, MirroredCut& cut) const {
     if (side.empty() || side.size() == faces.size()) return;
     const std::optional<Neck> neck = neck_at(graph_, faces, side, options_);
     if (neck && neck->score < cut.score && mirrored(neck->side) == neck->side) cut = {neck->score, {neck->side}};
@@ -138,8 +138,8 @@ class MirroredCutter {
   const NeckOptions& options_;
 };
 
-std::vector<Side> sides_of(const std::vector<int>& part) {
-  std::vector<Side> parts;
+std::vector<FaceSet> sides_of(const std::vector<int>& part) {
+  std::vector<FaceSet> parts;
   for (std::size_t f = 0; f < part.size(); ++f) {
     if (part[f] >= static_cast<int>(parts.size())) parts.resize(part[f] + 1);
     parts[part[f]].push_back(static_cast<int>(f));
@@ -168,9 +168,9 @@ std::optional<std::vector<int>> mirror_images(const Mesh& mesh) {
 std::vector<int> cut_mirrored(const DualGraph& graph, std::vector<int> part, const std::vector<int>& image,
                               const NeckCutOptions& options, const Run& run) {
   const MirroredCutter cutter(graph, image, options.neck);
-  std::vector<Side> parts = sides_of(part);
+  std::vector<FaceSet> parts = sides_of(part);
   std::vector<MirroredCut> cuts;
-  for (const Side& faces : parts) cuts.push_back(cutter.best(faces));
+  for (const FaceSet& faces : parts) cuts.push_back(cutter.best(faces));
   while (!run.over()) {
     const int count = static_cast<int>(parts.size());
     int best = -1;
@@ -181,9 +181,9 @@ std::vector<int> cut_mirrored(const DualGraph& graph, std::vector<int> part, con
       if (cuts[p].score < options.worst_score && !cuts[p].sides.empty() && count + adds(p) <= options.max_parts)
         if (best < 0 || cuts[p].score < cuts[best].score) best = p;
     if (best < 0) break;
-    const std::vector<Side> sides = cuts[best].sides;
-    const Side twin = cutter.mirrored(parts[best]);
-    const auto cut_off = [&](int p, const Side& side) {
+    const std::vector<FaceSet> sides = cuts[best].sides;
+    const FaceSet twin = cutter.mirrored(parts[best]);
+    const auto cut_off = [&](int p, const FaceSet& side) {
       parts[p] = without(parts[p], side);
       cuts[p] = cutter.best(parts[p]);
       parts.push_back(side);
@@ -192,7 +192,7 @@ std::vector<int> cut_mirrored(const DualGraph& graph, std::vector<int> part, con
     if (twin != parts[best])
       cut_off(static_cast<int>(std::find(parts.begin(), parts.end(), twin) - parts.begin()),
               cutter.mirrored(sides.front()));
-    for (const Side& side : sides) cut_off(best, side);
+    for (const FaceSet& side : sides) cut_off(best, side);
     run.report("cutting at necks and their images", static_cast<long>(parts.size()), options.max_parts);
   }
   for (std::size_t p = 0; p < parts.size(); ++p)
@@ -202,7 +202,7 @@ std::vector<int> cut_mirrored(const DualGraph& graph, std::vector<int> part, con
 
 std::vector<int> mirror_partners(const std::vector<int>& part, const std::vector<int>& image) {
   std::vector<int> partner;
-  for (const Side& faces : sides_of(part)) {
+  for (const FaceSet& faces : sides_of(part)) {
     const int other = part[image[faces.front()]];
     const auto size = std::count(part.begin(), part.end(), other);
     const bool whole = size == static_cast<long>(faces.size()) &&
