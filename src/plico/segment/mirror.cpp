@@ -12,7 +12,7 @@
 namespace plico {
 namespace {
 
-using FaceSet = std::vector<int>;  // faces, ascending
+using FaceSet = std::vector<int>;  // ascending
 
 constexpr double kSymmetric = 1e-5;  // of the diagonal: files are rounded
 

@@ -203,8 +203,8 @@ Job segment_job() {
               args->convexity.concavity)
       .choice("--symmetric", "left and right alike, on meshes with a mirror plane; auto: where there is one",
               args->symmetric, {"auto", "on", "off"})
-      .option("--keep", "FACES", "these stay in one part, such as 3,17-20; may be given again for others", args->keep)
-      .option("--apart", "FACES", "no two of these are in one part; may be given again for others", args->apart)
+      .option("--keep", "FACES", "these stay in one part, such as 3,17-20", args->keep)
+      .option("--apart", "FACES", "no two of these are in one part", args->apart)
       .option("--names", "FILE", "lines of a face and a name: the part with this face is called so", args->names)
       .option("--labels", "FILE", "for --by labels: one number or word a line, for each face", args->labels)
       .choice("--motion", "what must be proven free of collision for each part, besides its net", args->motion,
