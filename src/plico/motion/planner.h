@@ -41,6 +41,9 @@ PlannedPath plan_path(const Linkage& linkage, const PlannerOptions& options = {}
 // not the library's: programs that do not want that call this once, before any planning.
 void silence_planners();
 
+// Whether this build has OMPL. Without it plan_path() throws InvalidOption.
+bool has_planners();
+
 // Can one path be bent straight into the other? False when a blend of the two collides at one of the samples: evidence,
 // not proof, that they belong to different homotopy classes.
 bool blends_freely(const Linkage& linkage, const FoldingPath& a, const FoldingPath& b, double clearance = 0);

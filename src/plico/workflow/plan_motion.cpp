@@ -34,7 +34,7 @@ class Planning {
     if (any || options_.method == MotionMethod::Linear) take(MotionMethod::Linear, linear_path(linkage_), run_);
     if (!enough() && (any ? may_be_uniform() : options_.method == MotionMethod::Uniform))
       take(MotionMethod::Uniform, uniform_path(linkage_), run_);
-    if (!enough() && (any ? options_.may_search : wants_a_planner())) search();
+    if (!enough() && (any ? options_.may_search && has_planners() : wants_a_planner())) search();
     if (outcome_.motions.empty()) take(MotionMethod::Linear, linear_path(linkage_), {});
     if (enough())
       outcome_.ending = Ending::Found;

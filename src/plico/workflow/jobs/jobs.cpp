@@ -29,7 +29,8 @@ bool is_called(const Option& option, const std::string& name) {
 std::vector<Given> wanted(const Job& job, const std::vector<Option>& table, const Values& values) {
   std::vector<Given> result;
   for (const auto& [name, value] : values) {
-    const auto found = std::ranges::find_if(table, [&](const Option& option) { return is_called(option, name); });
+    const auto found =
+        std::ranges::find_if(table, [&name = name](const Option& option) { return is_called(option, name); });
     if (found == table.end()) throw InvalidOption(fmt::format("'{}' is not an option of {}", name, job.name));
     result.push_back({&*found, value});
   }
@@ -52,6 +53,7 @@ std::vector<Job> all_jobs() {
       check_job(),
       simplify_job(),
       unfold_job(),
+      edit_job(),
       segment_job(),
       shell_job(),
       inflate_job(),

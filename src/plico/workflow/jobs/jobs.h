@@ -15,6 +15,7 @@ Job info_job();
 Job check_job();
 Job simplify_job();
 Job unfold_job();
+Job edit_job();
 Job segment_job();
 Job shell_job();
 Job inflate_job();

@@ -61,7 +61,8 @@ std::string Session::State::command_line(bool only_deciding) const {
   bool has_seed = false;
   for (const auto& [option, value] : given) {
     if (only_deciding && decides_nothing(*option)) continue;
-    if (std::ranges::any_of(repeat, [&](const auto& r) { return r.first == option->long_name(); })) continue;
+    if (std::ranges::any_of(repeat, [&option = option](const auto& r) { return r.first == option->long_name(); }))
+      continue;
     if (!repeat.empty() && option->long_name() == "--time-limit") continue;
     has_seed = has_seed || option->long_name() == "--seed";
     if (!option->is_positional()) line += " " + option->names.front();
