@@ -74,6 +74,7 @@ int main(int argc, char** argv) {
   tables.push_back(growth(args.quick));
   if (!args.meshes.empty()) tables.push_back(meshes(args.meshes));
   for (Table& table : stack_tables(args.meshes, args.quick)) tables.push_back(std::move(table));
+  tables.push_back(motions(args.meshes, args.quick));
   std::vector<const Table*> all;
   for (const Table& table : tables) all.push_back(&table);
   write_json(args, all);

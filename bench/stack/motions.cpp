@@ -1,17 +1,16 @@
 // The motion of stacked chains: how many shapes unpack, by thickness, proven.
-#include "motions.h"
-
 #include <algorithm>
 
 #include "plico/io/mesh/mesh_file.h"
 #include "plico/shapes/named_shapes.h"
 #include "plico/workflow/stack_motion.h"
+#include "tables.h"
 
 namespace plico::bench {
 namespace {
 
-const std::vector<std::string> kColumns{"model",  "panels", "t",      "layers",  "ideal", "share", "chains",
-                                        "proven", "plan s", "proof s"};
+const std::vector<std::string> kColumns{"model", "panels", "t",      "layers", "ideal",
+                                        "share", "chains", "proven", "plan s", "proof s"};
 
 Table::Row row(const std::string& model, const PolygonSoup& soup, int squares, double thickness, double limit) {
   const VoxelMesh voxels = voxel_mesh(soup, {.squares = squares});
@@ -31,7 +30,9 @@ Table::Row row(const std::string& model, const PolygonSoup& soup, int squares, d
           motion.chain.verdict.ideal,
           motion.share(),
           motion.chains,
-          motion.ending == Ending::Found ? "yes" : motion.verdict.free() ? "prefix" : "no",
+          motion.ending == Ending::Found ? "yes"
+          : motion.verdict.free()        ? "prefix"
+                                         : "no",
           plan,
           proof};
 }
@@ -49,7 +50,7 @@ Table motions(const std::string& folder, bool quick) {
     for (const auto& path : mesh_files(folder)) {
       if (quick && seen++ % 8 != 0) continue;
       const std::string name = path.string();
-      table.row(row(path.stem().string(), read_mesh_source(read_file(name), name).soup, 200, thickness, limit));
+      table.row(row(path.stem().string(), read_mesh_file(name).soup, 200, thickness, limit));
     }
   }
   return table;

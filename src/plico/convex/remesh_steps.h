@@ -14,9 +14,9 @@ struct RemeshBudget {
   int solves = 0;
 };
 
-// Shrinks edges, the one that adds the least volume first, until there are no more than `faces` triangles, the budget is
-// spent or no edge can. With `only_fatter`, only edges whose loss makes the surface fatter. Returns whether there are no
-// more triangles than that.
+// Shrinks edges, the one that adds the least volume first, until there are no more than `faces` triangles, the budget
+// is spent or no edge can. With `only_fatter`, only edges whose loss makes the surface fatter. Returns whether there
+// are no more triangles than that.
 bool shrink_edges(ShellSurface& surface, int faces, bool only_fatter, RemeshBudget& budget, const Run& run);
 
 // Moves every vertex once, where that makes the surface fatter; `inside` are the points it must hold. Returns whether

@@ -38,8 +38,8 @@ struct ChainMotionVerdict {
 ChainMotionVerdict judge_chain_motion(const ChainClaim& claim, const FoldingPath& path,
                                       const ChainMotionOptions& options = {}, const Run& run = {});
 
-// The same of a chain told as a linkage (hinge i between the panels i and i + 1), wherever it begins: panels must be apart
-// then. Says nothing about start and end.
+// The same of a chain told as a linkage (hinge i between the panels i and i + 1), wherever it begins: panels must be
+// apart then. Says nothing about start and end.
 ChainMotionVerdict judge_chain_motion(const Linkage& chain, const FoldingPath& path,
                                       const ChainMotionOptions& options = {}, const Run& run = {});
 

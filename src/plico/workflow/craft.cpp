@@ -210,7 +210,8 @@ std::string page_text(const Mesh& mesh, const CraftOptions& options, const Craft
   page.stand = stand_of(result.net, page.linkage, mesh, options.layout.size.up);
   page.report = report.dump();
   page.start = 1;  // the model, beside its net
-  if (result.kit && !result.kit->joints.empty() && result.motion) page.home = standing(assembled(mesh, result.net), options);
+  if (result.kit && !result.kit->joints.empty() && result.motion)
+    page.home = standing(assembled(mesh, result.net), options);
   if (result.motion) {
     const PathProof& proof = result.motion->proof;
     page.path = result.motion->path;

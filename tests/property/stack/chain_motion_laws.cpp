@@ -66,7 +66,8 @@ std::vector<OrientedBox> boxes(const Linkage& chain, const Configuration& config
   std::vector<OrientedBox> all;
   for (int p = 0; p < chain.num_panels(); ++p) {
     const std::vector<Vec3>& o = chain.panels[p];
-    const OrientedBox flat{(o[0] + o[2]) / 2, Eigen::Matrix3d::Identity(),
+    const OrientedBox flat{(o[0] + o[2]) / 2,
+                           Eigen::Matrix3d::Identity(),
                            {(o[1] - o[0]).norm() / 2, (o[1] - o[0]).norm() / 2, (0.5 - air) * chain.thickness}};
     all.push_back(placed(flat, poses[p]));
   }
@@ -98,8 +99,7 @@ TEST(ChainMotion, AgreesWithBruteForceOnRandomChains) {
     Configuration config = Eigen::Map<const Configuration>(angles.data(), static_cast<Eigen::Index>(angles.size()));
     path.waypoints.push_back({0, config});
     const int turned = 1 + rng.below(2);
-    for (int k = 0; k < turned; ++k)
-      config[rng.below(static_cast<int>(angles.size()))] = kPi * (2 * rng.uniform() - 1);
+    for (int k = 0; k < turned; ++k) config[rng.below(static_cast<int>(angles.size()))] = kPi * (2 * rng.uniform() - 1);
     path.waypoints.push_back({1, config});
     const ChainMotionVerdict verdict = judge_chain_motion(chain, path);
     const double depth = deepest(chain, path, ChainMotionOptions().air, kSanitized ? 500 : 10000);

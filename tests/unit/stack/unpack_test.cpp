@@ -92,8 +92,7 @@ TEST(Unpacking, RunsFromTheStackToTheShapeInIncreasingTime) {
   EXPECT_EQ(path.waypoints.back().time, 1);
   EXPECT_EQ(path.waypoints.front().config[6], 0);
   EXPECT_EQ(path.waypoints.back().config, goal(chain));
-  for (std::size_t i = 1; i < path.waypoints.size(); ++i)
-    EXPECT_LT(path.waypoints[i - 1].time, path.waypoints[i].time);
+  for (std::size_t i = 1; i < path.waypoints.size(); ++i) EXPECT_LT(path.waypoints[i - 1].time, path.waypoints[i].time);
 }
 
 }  // namespace
