@@ -27,14 +27,18 @@ CompactResult mirrored(CompactResult found) {
 class Unpacker {
  public:
   Unpacker(const VoxelMesh& voxels, const StackMeshOptions& stacking, const StackMotionOptions& options, const Run& run)
-      : voxels_(voxels), stacking_(stacking), options_(options), run_(run) {}
+      : voxels_(voxels),
+        stacking_(stacking),
+        options_(options),
+        run_(run),
+        chains_(options.chains > 0 ? options.chains : std::clamp(8000 / voxels.shell.size(), 2, 40)) {}
 
   StackMotion run(const StackedChain& first) {
     CompactResult found = first.found;
     do {
       try_chain(found);
       ++tries_;
-      if (whole() || run_.over() || !options_.to_shape || tries_ == options_.chains) break;
+      if (whole() || run_.over() || !options_.to_shape || tries_ == chains_) break;
       found = another();
     } while (true);
     return result();
@@ -46,7 +50,7 @@ class Unpacker {
   void try_chain(const CompactResult& found) {
     const CompactResult back = from_the_end(voxels_, found);
     for (const CompactResult& way : {found, back, mirrored(found), mirrored(back)}) {
-      run_.report("unpacking", tries_, options_.chains);
+      run_.report("unpacking", tries_, chains_);
       if (pile_sign(way.best.folds) == 0) continue;
       const StackedChain chain = stacked_chain(voxels_, way, stacking_.thickness);
       if (!chain.verdict.valid()) continue;
@@ -91,6 +95,7 @@ class Unpacker {
   const StackMeshOptions& stacking_;
   const StackMotionOptions& options_;
   const Run& run_;
+  const int chains_;
   int tries_ = 0;
   Best best_;
 };
@@ -104,7 +109,7 @@ double StackMotion::share() const {
 
 StackMotion unpack_stack(const VoxelMesh& voxels, const StackedChain& first, const StackMeshOptions& stacking,
                          const StackMotionOptions& options, const Run& run) {
-  require(options.chains >= 1, "chains", options.chains, "at least 1");
+  require(options.chains >= 0, "chains", options.chains, "at least 0");
   return Unpacker(voxels, stacking, options, run).run(first);
 }
 

@@ -12,7 +12,9 @@ namespace plico {
 struct StackMotionOptions {
   std::uint64_t seed = 1;
   bool to_shape = true;  // else only to the pile
-  int chains = 40;       // tried, at least 1: the given one, then others; each from both ends and upside down
+  // Chains tried: the given one, then others, each from both ends and upside down. 0: as many as 8,000 panels make, 2
+  // to 40, because long ones take long.
+  int chains = 0;
   PeelOptions peel = {.nodes = 30000};
 };
 
