@@ -51,10 +51,16 @@ async function picture(page, name) {
 }
 
 async function accessible(page, name) {
-  await page.evaluate(axe.source.replace(/^/, '')); // evaluated by the debugger, so the page's policy stays
+  await page.evaluate(axe.source); // by the debugger, so that the page's policy stays as it is
   const { violations } = await page.evaluate(() => window.axe.run(document, { resultTypes: ['violations'] }));
   const serious = violations.filter((v) => ['serious', 'critical'].includes(v.impact));
   assert.deepEqual(serious.map((v) => `${v.id}: ${v.nodes.map((n) => n.html).join(' ')}`), [], name);
+}
+
+// page.waitForFunction() needs eval, which the page forbids.
+async function until(page, holds) {
+  for (const end = Date.now() + 60000; Date.now() < end; await page.waitForTimeout(50)) if (await page.evaluate(holds)) return;
+  assert.fail(`never came: ${holds}; the page says: ${await status(page)}`);
 }
 
 const status = (page) => page.textContent('#status');
@@ -70,7 +76,7 @@ async function aFileBecomesANet(page) {
   assert.match(await page.textContent('#verdict'), /one net, verified/);
   assert.equal(await page.locator('img[src=x]').count(), 0);
   await drop(page, 'bird.obj', readFileSync(meshPath));
-  await page.waitForFunction(() => document.getElementById('name').textContent === 'bird');
+  await until(page, () => document.getElementById('name').textContent === 'bird');
   await accessible(page, 'net');
   await picture(page, 'net');
 }
@@ -110,11 +116,11 @@ async function keysAreEnough(page) {
   }
   assert.match(await status(page), /edge \d+, fold/);
   await page.keyboard.press('Enter');
-  await page.waitForFunction(() => /cut edge/.test(document.getElementById('status').textContent));
+  await until(page, () => /cut edge/.test(document.getElementById('status').textContent));
   assert.match(await page.textContent('#verdict'), /2 parts/);
   await picture(page, 'cut');
   await page.keyboard.press('Control+z');
-  await page.waitForFunction(() => /undone/.test(document.getElementById('status').textContent));
+  await until(page, () => /undone/.test(document.getElementById('status').textContent));
   assert.equal(await projectText(page), first);
 }
 
@@ -126,7 +132,7 @@ async function badFilesAreTold(page) {
   for (const [name, text] of Object.entries(bad)) {
     await page.evaluate(() => (document.getElementById('status').textContent = ''));
     await drop(page, name, text);
-    await page.waitForFunction(() => document.getElementById('status').dataset.kind === 'bad' && /\(.*\)/.test(document.getElementById('status').textContent));
+    await until(page, () => document.getElementById('status').dataset.kind === 'bad' && /\(.*\)/.test(document.getElementById('status').textContent));
     console.log(`${name}: ${await status(page)}`);
   }
   assert.equal(await page.textContent('#name'), 'bird');
@@ -135,7 +141,7 @@ async function badFilesAreTold(page) {
 async function theModelFolds(page) {
   await page.click('#tab-fold');
   await page.click('#foldable');
-  await page.waitForFunction(() => /proven|collide|undecided/.test(document.getElementById('motion').textContent), null, { timeout: 60000 });
+  await until(page, () => /proven|collide|undecided/.test(document.getElementById('motion').textContent));
   console.log(`fold: ${await page.textContent('#motion')}`);
   await page.$eval('#time', (slider) => { slider.value = '0.5'; slider.dispatchEvent(new Event('input')); });
   await page.waitForTimeout(300);
@@ -161,6 +167,6 @@ async function aReloadLosesNothing(page) {
   await page.waitForSelector('html[data-ready=true]');
   await page.click('#continue');
   await page.waitForSelector('#verdict:not(:empty)', { state: 'attached' });
-  await page.waitForFunction(() => window.studio.session.shape);
+  await until(page, () => window.studio.session.shape);
   assert.equal(await projectText(page), before);
 }
