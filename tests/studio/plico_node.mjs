@@ -5,7 +5,7 @@ import { pathToFileURL } from 'node:url';
 
 const [modulePath, ...words] = process.argv.slice(2);
 const { default: createPlico } = await import(pathToFileURL(modulePath).href);
-const plico = await createPlico();
+const plico = await createPlico({ wasmBinary: fs.readFileSync(modulePath.replace(/mjs$/, 'wasm')) });
 
 const jobs = JSON.parse(plico.describeJobs());
 const twoWords = jobs.find(j => j.name === words.slice(0, 2).join(' '));

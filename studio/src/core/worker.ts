@@ -78,7 +78,7 @@ function report(phase: string, done: number, total: number, note: string): void 
 
 addEventListener('message', async (event: MessageEvent<Request | { wasm: ArrayBuffer }>) => {
   if ('wasm' in event.data) {
-    calls = createPlico({ wasmBinary: event.data.wasm }).then((plico: unknown) => start(plico, report));
+    calls = createPlico({ wasmBinary: event.data.wasm, locateFile: (path: string) => path }).then((plico: unknown) => start(plico, report));
     return;
   }
   const { id, call, args } = event.data;
