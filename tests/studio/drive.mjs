@@ -13,37 +13,6 @@ const browser = await chromium.launch({
   args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-quic', '--no-first-run',
     '--disable-background-networking', '--disable-component-update', '--disable-sync'],
 });
-const complaints = [];
-try {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 820 }, reducedMotion: 'reduce' });
-  const page = await context.newPage();
-  page.on('console', (m) => ['error', 'warning'].includes(m.type()) && !/GPU stall|GL Driver/.test(m.text()) && complaints.push(m.text()));
-  page.on('pageerror', (error) => complaints.push(String(error)));
-  page.on('request', (request) => /^(https?|wss?):/.test(request.url()) && complaints.push(`network: ${request.url()}`));
-  await page.goto(pathToFileURL(pagePath).href);
-  await page.waitForSelector('html[data-ready=true]');
-  await accessible(page, 'start');
-  await picture(page, 'start');
-  await aFileBecomesANet(page);
-  await editsAreUndoneAndDoneAgain(page);
-  await keysAreEnough(page);
-  await badFilesAreTold(page);
-  await theModelFolds(page);
-  await thePagesAreDrawn(page);
-  await aReloadLosesNothing(page);
-  await page.setViewportSize({ width: 390, height: 844 });
-  for (const tab of ['net', 'fold', 'pages']) {
-    await page.evaluate((t) => window.studio.tab(t), tab);
-    await page.waitForTimeout(400);
-    await picture(page, `${tab}-390`);
-    const wide = await page.evaluate(() => document.documentElement.scrollWidth);
-    assert.ok(wide <= 390, `${tab} is ${wide} pixels wide on a small screen`);
-  }
-  assert.deepEqual(complaints, []);
-} finally {
-  await browser.close();
-}
-
 async function picture(page, name) {
   if (!process.env.PICTURES) return;
   await page.waitForTimeout(300);
@@ -169,4 +138,35 @@ async function aReloadLosesNothing(page) {
   await page.waitForSelector('#verdict:not(:empty)', { state: 'attached' });
   await until(page, () => window.studio.session.shape);
   assert.equal(await projectText(page), before);
+}
+
+const complaints = [];
+try {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 820 }, reducedMotion: 'reduce' });
+  const page = await context.newPage();
+  page.on('console', (m) => ['error', 'warning'].includes(m.type()) && !/GPU stall|GL Driver/.test(m.text()) && complaints.push(m.text()));
+  page.on('pageerror', (error) => complaints.push(String(error)));
+  page.on('request', (request) => /^(https?|wss?):/.test(request.url()) && complaints.push(`network: ${request.url()}`));
+  await page.goto(pathToFileURL(pagePath).href);
+  await page.waitForSelector('html[data-ready=true]');
+  await accessible(page, 'start');
+  await picture(page, 'start');
+  await aFileBecomesANet(page);
+  await editsAreUndoneAndDoneAgain(page);
+  await keysAreEnough(page);
+  await badFilesAreTold(page);
+  await theModelFolds(page);
+  await thePagesAreDrawn(page);
+  await aReloadLosesNothing(page);
+  await page.setViewportSize({ width: 390, height: 844 });
+  for (const tab of ['net', 'fold', 'pages']) {
+    await page.evaluate((t) => window.studio.tab(t), tab);
+    await page.waitForTimeout(400);
+    await picture(page, `${tab}-390`);
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+    assert.ok(wide <= 390, `${tab} is ${wide} pixels wide on a small screen`);
+  }
+  assert.deepEqual(complaints, []);
+} finally {
+  await browser.close();
 }
