@@ -91,7 +91,8 @@ void stable_sort(Range&& range, Compare compare = {}, Projection projection = {}
 // Decimal only, as the standard has it: no blanks before, no plus, no 0x.
 inline from_chars_result from_chars(const char* first, const char* last, double& value) {
   const char* digits = first != last && *first == '-' ? first + 1 : first;
-  if (digits == last || !(isdigit(*digits) || *digits == '.' || isalpha(*digits))) return {first, errc::invalid_argument};
+  if (digits == last || !(isdigit(*digits) || *digits == '.' || isalpha(*digits)))
+    return {first, errc::invalid_argument};
   if (last - digits > 1 && digits[0] == '0' && (digits[1] | 0x20) == 'x') {
     value = *first == '-' ? -0.0 : 0.0;
     return {digits + 1, {}};
