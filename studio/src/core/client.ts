@@ -1,0 +1,70 @@
+// The page's end of the worker: calls in order, progress, and a stop that works at any time.
+import type { Calls, Failure, Progress, Reply } from './protocol';
+
+export class Refused extends Error {
+  constructor(readonly failure: Failure) {
+    super(failure.message);
+  }
+}
+export class Stopped extends Error {}
+
+interface Waiting {
+  resolve: (value: any) => void;
+  reject: (error: Error) => void;
+  progress?: (progress: Progress) => void;
+}
+
+export class Core {
+  private worker!: Worker;
+  private waiting = new Map<number, Waiting>();
+  private lastId = 0;
+  private broken?: Failure; // why the worker did not start
+
+  constructor(private readonly script: string, private readonly wasm: ArrayBuffer) {
+    this.start();
+  }
+
+  call<Name extends keyof Calls>(
+    name: Name, args: Parameters<Calls[Name]>, progress?: (progress: Progress) => void,
+  ): Promise<ReturnType<Calls[Name]>> {
+    if (this.broken) return Promise.reject(new Refused(this.broken));
+    const id = ++this.lastId;
+    return new Promise((resolve, reject) => {
+      this.waiting.set(id, { resolve, reject, progress });
+      this.worker.postMessage({ id, call: name, args });
+    });
+  }
+
+  /** Ends whatever runs: calls without an answer are Stopped, and the next worker knows no model. */
+  restart(): void {
+    this.worker.terminate();
+    const left = [...this.waiting.values()];
+    this.waiting.clear();
+    this.start();
+    for (const { reject } of left) reject(new Stopped());
+  }
+
+  private start(): void {
+    this.broken = undefined;
+    const url = URL.createObjectURL(new Blob([this.script], { type: 'text/javascript' }));
+    this.worker = new Worker(url);
+    this.worker.onmessage = (event: MessageEvent<Reply>) => this.hear(event.data);
+    this.worker.onerror = (event) => this.fail(event.message);
+    this.worker.postMessage({ wasm: this.wasm });
+  }
+
+  private hear(reply: Reply): void {
+    const caller = this.waiting.get(reply.id);
+    if (!caller) return;
+    if ('progress' in reply) return caller.progress?.(reply.progress);
+    this.waiting.delete(reply.id);
+    if ('failure' in reply) caller.reject(new Refused(reply.failure));
+    else caller.resolve(reply.result);
+  }
+
+  private fail(message: string): void {
+    this.broken = { code: 'internal', message: `the core stopped: ${message}`, where: '', suggestion: 'reload the page' };
+    for (const { reject } of this.waiting.values()) reject(new Refused(this.broken));
+    this.waiting.clear();
+  }
+}

@@ -1,0 +1,83 @@
+// What the page and its worker say to each other. Arrays are per corner: all corners of face 0, then of face 1, ...
+
+export type Edit =
+  | { edit: 'cut' | 'join'; edge: number }
+  | { edit: 'move'; join: number; cut: number }
+  | { edit: 'lock'; edge: number; locked: boolean }
+  | { edit: 'net'; folds: number[] };
+
+export interface Verdict {
+  valid: boolean;
+  parts: number;
+  overlaps: number;
+  pairs: [number, number][]; // faces that overlap; at most 1,000
+  defects: string[];
+}
+
+/** All that an edit may change. */
+export interface Snapshot {
+  flat: Float32Array; // x, y of every corner as it lies on the table
+  folds: Uint8Array; // per edge
+  locks: Uint8Array; // per edge
+  parts: Int32Array; // per face
+  verdict: Verdict;
+}
+
+export interface Model {
+  name: string;
+  faces: number;
+  edges: number;
+  vertices: number;
+  notes: string[];
+  offsets: Int32Array; // face f has corners offsets[f] .. offsets[f + 1]
+  cornerEdges: Int32Array; // the edge from each corner to the next
+  corners: Float32Array; // x, y, z of every corner of the mesh
+}
+
+export interface MotionVerdict {
+  method: string;
+  verdict: 'free' | 'collides' | 'undecided' | 'not closed';
+  from: number;
+  to: number;
+  panels: [number, number];
+}
+
+export interface JobResult {
+  exit_code: number;
+  report: Record<string, unknown>;
+  messages: { tone: string; text: string }[];
+  files: Record<string, Uint8Array>; // what it wrote
+}
+
+export type JobValues = [string, string][];
+
+export interface Calls {
+  open(name: string, bytes: Uint8Array): { model: Model; snapshot: Snapshot };
+  editFor(edge: number): Edit | null;
+  preview(edit: Edit): { flat: Float32Array; verdict: Verdict };
+  apply(edit: Edit): { inverse: Edit; snapshot: Snapshot };
+  search(folds: boolean): Edit;
+  arrange(): Snapshot;
+  motion(plan: boolean): MotionVerdict;
+  fold(time: number): Float32Array;
+  project(): Uint8Array;
+  net(): Uint8Array; // FOLD, with the motion if it is proven
+  job(name: string, values: JobValues, files: Record<string, Uint8Array>): JobResult;
+}
+
+export interface Failure {
+  code: string;
+  message: string;
+  where: string;
+  suggestion: string;
+}
+
+export interface Progress {
+  phase: string;
+  done: number;
+  total: number;
+  note: string;
+}
+
+export type Request = { id: number; call: keyof Calls; args: unknown[] };
+export type Reply = { id: number } & ({ result: unknown } | { failure: Failure } | { progress: Progress });

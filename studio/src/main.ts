@@ -1,0 +1,329 @@
+// The page: joins the document, the views, the keyboard and what is said about it all.
+import { Core, Refused, Stopped } from './core/client';
+import type { Edit, Progress } from './core/protocol';
+import { FoldPanel } from './panels/fold_panel';
+import { PagesPanel } from './panels/pages_panel';
+import { Session } from './session';
+import { kept } from './store';
+import { byId, bytesOf, colors } from './page';
+import { SheetView } from './views/sheet_view';
+import { SpaceView } from './views/space_view';
+import type { Shape } from './views/shape';
+
+type Tab = 'net' | 'fold' | 'pages';
+const kTabs: Tab[] = ['net', 'fold', 'pages'];
+const kSamples = ['bird', 'dinosaur', 'fish', 'dog', 'torus', 'truncated-icosahedron'];
+
+declare global {
+  interface Window {
+    studio: { session: Session; tab: (tab: Tab) => void };
+  }
+}
+
+async function inflated(base64: string): Promise<ArrayBuffer> {
+  const packed = bytesOf(atob(base64));
+  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
+  return new Response(stream).arrayBuffer();
+}
+
+class Studio {
+  readonly session: Session;
+  private readonly space: SpaceView;
+  private readonly sheet: SheetView;
+  private readonly foldPanel: FoldPanel;
+  private readonly pagesPanel: PagesPanel;
+  private tab: Tab = 'net';
+  private corner = -1; // where the keys stand on the net
+  private asked = 0;
+
+  constructor(core: Core) {
+    this.session = new Session(core, (shape, notes) => this.showModel(shape, notes), (shape) => this.showEdit(shape));
+    const point = (edge: number): void => void this.point(edge);
+    const click = (edge: number, event: PointerEvent): void => void this.act(edge, event.shiftKey);
+    this.space = new SpaceView(byId('space'), colors.space, point, click);
+    this.sheet = new SheetView(byId('sheet'), colors.sheet, point, click);
+    this.foldPanel = new FoldPanel(this.session, this.space, (work) => this.guarded(work), (p) => this.progress(p));
+    this.pagesPanel = new PagesPanel(this.session, (work) => this.guarded(work));
+    byId('no-space').hidden = this.space.works;
+    this.listen();
+  }
+
+  private say(text: string, kind: 'fine' | 'bad' = 'fine'): void {
+    const status = byId('status');
+    status.textContent = text;
+    status.dataset['kind'] = kind;
+  }
+  private progress({ phase, done, total, note }: Progress): void {
+    byId('stop').hidden = false;
+    this.say([`${phase} ${done}${total ? ` of ${total}` : ''}`, note].filter(Boolean).join(', '));
+  }
+  /** Does it, and says what went wrong: code, place, and what to try. */
+  async guarded(work: () => Promise<void>): Promise<void> {
+    byId('stop').hidden = true;
+    const waiting = setTimeout(() => (byId('stop').hidden = !this.session.busy), 150);
+    try {
+      await work();
+    } catch (error) {
+      if (error instanceof Stopped) this.say('stopped; nothing was changed');
+      else if (error instanceof Refused) {
+        const { code, message, where, suggestion } = error.failure;
+        this.say([message, where && `at ${where}`, suggestion && `try: ${suggestion}`, `(${code})`].filter(Boolean).join(' · '), 'bad');
+      } else this.say(`something is wrong with the page: ${String(error)}`, 'bad');
+    } finally {
+      clearTimeout(waiting);
+      byId('stop').hidden = true;
+    }
+  }
+
+  open(name: string, bytes: Uint8Array): Promise<void> {
+    return this.guarded(async () => {
+      this.say(`opening ${name} …`);
+      await this.session.open(name, bytes, (p) => this.progress(p));
+    });
+  }
+  private async openFile(file: File | undefined): Promise<void> {
+    if (!file) return;
+    if (file.size > 500_000_000) return this.say(`${file.name} has ${file.size} bytes, at most 500,000,000 fit into a page · try: plico craft on a computer`, 'bad');
+    await this.open(file.name, new Uint8Array(await file.arrayBuffer()));
+  }
+  private openSample(name: string): Promise<void> {
+    return this.guarded(async () => {
+      const made = await this.session.job('sample', [['name', name], ['output', `${name}.obj`]], {});
+      await this.session.open(`${name}.obj`, made.files[`${name}.obj`]!, (p) => this.progress(p));
+    });
+  }
+
+  private showModel(shape: Shape, notes: string[]): void {
+    byId('start').hidden = true;
+    byId('name').textContent = shape.model.name;
+    document.title = `${shape.model.name} · Plico studio`;
+    this.corner = -1;
+    this.sheet.show(shape);
+    this.foldPanel.newModel(shape);
+    this.pagesPanel.newModel();
+    this.show(this.tab === 'pages' ? 'net' : this.tab);
+    this.words(shape);
+    const folds = shape.model.faces;
+    this.say([`${folds} faces`, ...notes].join(' · '));
+  }
+  private showEdit(shape: Shape): void {
+    this.sheet.preview(undefined);
+    this.sheet.redraw();
+    this.foldPanel.edited(shape);
+    this.pagesPanel.edited();
+    this.words(shape);
+  }
+  private words(shape: Shape): void {
+    const { valid, parts, overlaps, defects } = shape.snapshot.verdict;
+    const badge = byId('verdict');
+    badge.dataset['status'] = valid ? 'good' : 'bad';
+    const inParts = parts === 1 ? 'one net' : `${parts} parts`;
+    badge.textContent = valid ? `${inParts}, verified` : overlaps ? `${overlaps} overlaps` : (defects[0] ?? 'not a net');
+    const { undoable, redoable } = this.session.history;
+    for (const [id, step] of [['undo', undoable], ['redo', redoable]] as const) {
+      const button = byId<HTMLButtonElement>(id);
+      button.disabled = !step;
+      button.title = step ? `${id} ${step.name}` : id;
+    }
+  }
+
+  /** What lies under the pointer, and what a click would do. */
+  private async point(edge: number): Promise<void> {
+    if (edge === this.sheet.edge) return;
+    this.sheet.edge = edge;
+    this.sheet.preview(undefined);
+    this.space.point(edge);
+    const ticket = ++this.asked;
+    byId('hint').textContent = '';
+    if (edge < 0 || this.tab !== 'net' || this.session.busy) return;
+    const edit = await this.session.editFor(edge);
+    if (ticket !== this.asked) return;
+    byId('hint').textContent = this.spoken(edge, edit);
+    if (!edit || edit.edit === 'cut') return;
+    const ghost = await this.session.preview(edit);
+    if (ticket === this.asked) this.sheet.preview(ghost);
+  }
+  private spoken(edge: number, edit: Edit | null): string {
+    const shape = this.session.shape!;
+    const [a, b] = shape.facesOf(edge);
+    const state = b < 0 ? 'border' : shape.snapshot.folds[edge] ? 'fold' : 'cut';
+    const locked = shape.snapshot.locks[edge] ? ', locked' : '';
+    const meaning = { cut: 'cut here', join: 'join here', move: 'join here, cut elsewhere', lock: '', net: '' };
+    return `edge ${edge}, ${state}${locked}, face ${a}${b < 0 ? '' : ` and ${b}`}${edit ? ` · click: ${meaning[edit.edit]}` : ''}`;
+  }
+
+  private act(edge: number, lock: boolean): Promise<void> {
+    if (this.tab !== 'net') return Promise.resolve();
+    return this.guarded(async () => {
+      const edit = lock ? this.lockOf(edge) : await this.session.editFor(edge);
+      if (!edit) return this.say(`edge ${edge} stays as it is: it is at the border, locked, or all folds in the way are locked`);
+      const before = this.session.shape!.snapshot.verdict.overlaps;
+      const proven = this.foldPanel.proven;
+      await this.session.edit(`${edit.edit} edge ${edge}`, edit);
+      ++this.asked;
+      const after = this.session.shape!.snapshot.verdict;
+      const gone = proven && edit.edit !== 'lock' ? ' · the folding proof is gone (undo brings the net back)' : '';
+      const worse = after.overlaps > before ? ` · ${after.overlaps} pairs of faces overlap now` : '';
+      this.say(`${edit.edit} edge ${edge}${worse}${gone}`);
+      byId('hint').textContent = this.spoken(edge, null);
+    });
+  }
+  private lockOf(edge: number): Edit | null {
+    const shape = this.session.shape!;
+    return shape.isBorder(edge) ? null : { edit: 'lock', edge, locked: !shape.snapshot.locks[edge] };
+  }
+
+  private undo(): Promise<void> {
+    return this.guarded(async () => this.say(`undone: ${(await this.session.undo()) ?? 'nothing'}`));
+  }
+  private redo(): Promise<void> {
+    return this.guarded(async () => this.say(`done again: ${(await this.session.redo()) ?? 'nothing'}`));
+  }
+  private heal(): Promise<void> {
+    return this.guarded(async () => {
+      const edit = await this.session.search(false, (p) => this.progress(p));
+      await this.session.edit('search a net', edit);
+      await this.session.arrange();
+      this.sheet.fit();
+      this.say('a net was searched');
+    });
+  }
+
+  show(tab: Tab): void {
+    this.tab = tab;
+    document.body.dataset['tab'] = tab;
+    const open = this.session.shape !== undefined;
+    for (const t of kTabs) {
+      const button = byId<HTMLButtonElement>(`tab-${t}`);
+      button.setAttribute('aria-selected', String(t === tab));
+      button.tabIndex = t === tab ? 0 : -1;
+    }
+    byId('space-view').hidden = byId('sheet-view').hidden = !open || tab === 'pages';
+    byId('panel-net').hidden = tab !== 'net';
+    byId('panel-fold').hidden = tab !== 'fold';
+    byId('panel-pages').hidden = !open || tab !== 'pages';
+    if (!open) return;
+    this.foldPanel.shown(tab === 'fold');
+    if (tab === 'pages') void this.pagesPanel.shown();
+  }
+
+  private listen(): void {
+    for (const id of ['file', 'file-start'])
+      byId<HTMLInputElement>(id).addEventListener('change', (e) => void this.openFile((e.target as HTMLInputElement).files?.[0]));
+    const choice = byId<HTMLSelectElement>('sample');
+    for (const name of kSamples) {
+      choice.append(new Option(name, name));
+      const button = document.createElement('button');
+      button.textContent = name;
+      button.addEventListener('click', () => void this.openSample(name));
+      byId('samples').append(button);
+    }
+    choice.addEventListener('change', () => {
+      if (choice.value) void this.openSample(choice.value);
+      choice.value = '';
+    });
+    const on = (id: string, action: () => unknown): void => byId(id).addEventListener('click', () => void action());
+    on('undo', () => this.undo());
+    on('redo', () => this.redo());
+    on('heal', () => this.heal());
+    on('fit', () => this.sheet.fit());
+    on('arrange', () => this.guarded(async () => { await this.session.arrange(); this.sheet.fit(); }));
+    on('stop', () => this.session.stop());
+    on('help-button', () => byId<HTMLDialogElement>('help').showModal());
+    for (const tab of kTabs) on(`tab-${tab}`, () => this.show(tab));
+    addEventListener('dragover', (e) => e.preventDefault());
+    addEventListener('drop', (e) => {
+      e.preventDefault();
+      void this.openFile(e.dataTransfer?.files[0]);
+    });
+    addEventListener('keydown', (e) => this.key(e));
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => (this.sheet.redraw(), this.space.redraw()));
+  }
+
+  private key(event: KeyboardEvent): void {
+    const target = event.target as HTMLElement;
+    if (event.ctrlKey || event.metaKey) {
+      const redo = event.key === 'y' || (event.key.toLowerCase() === 'z' && event.shiftKey);
+      if (!redo && event.key !== 'z') return;
+      event.preventDefault();
+      return void (redo ? this.redo() : this.undo());
+    }
+    if (event.altKey || ['INPUT', 'SELECT'].includes(target.tagName) || byId<HTMLDialogElement>('help').open) return;
+    const handled =
+      target.id === 'sheet' ? this.sheetKey(event) : target.id === 'space' ? this.spaceKey(event) :
+      target.getAttribute('role') === 'tab' ? this.tabKey(event) : false;
+    if (handled || this.anyKey(event, target.tagName === 'BUTTON')) event.preventDefault();
+  }
+  private anyKey(event: KeyboardEvent, onButton: boolean): boolean {
+    const actions: Record<string, () => unknown> = {
+      '1': () => this.show('net'), '2': () => this.show('fold'), '3': () => this.show('pages'),
+      '?': () => byId<HTMLDialogElement>('help').showModal(), Escape: () => this.session.stop(),
+    };
+    if (this.tab === 'fold')
+      Object.assign(actions, { ',': () => this.foldPanel.step(-0.02), '.': () => this.foldPanel.step(0.02), ...(onButton ? {} : { ' ': () => this.foldPanel.play() }) });
+    const action = actions[event.key];
+    action?.();
+    return action !== undefined;
+  }
+  private tabKey(event: KeyboardEvent): boolean {
+    const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+    if (!step) return false;
+    const next = kTabs[(kTabs.indexOf(this.tab) + step + kTabs.length) % kTabs.length]!;
+    this.show(next);
+    byId(`tab-${next}`).focus();
+    return true;
+  }
+  private spaceKey(event: KeyboardEvent): boolean {
+    const actions: Record<string, () => void> = {
+      ArrowLeft: () => this.space.turn(0.15, 0), ArrowRight: () => this.space.turn(-0.15, 0),
+      ArrowUp: () => this.space.turn(0, 0.15), ArrowDown: () => this.space.turn(0, -0.15),
+      '+': () => this.space.zoom(0.85), '-': () => this.space.zoom(1.18), f: () => this.foldPanel.frame(),
+    };
+    actions[event.key]?.();
+    return event.key in actions;
+  }
+  private sheetKey(event: KeyboardEvent): boolean {
+    const { shape } = this.session;
+    if (!shape) return false;
+    const edge = this.corner >= 0 ? shape.model.cornerEdges[this.corner]! : -1;
+    const actions: Record<string, () => unknown> = {
+      ArrowRight: () => this.walk(shape, this.corner < 0 ? 0 : shape.next[this.corner]!),
+      ArrowLeft: () => this.walk(shape, this.corner < 0 ? 0 : shape.next.indexOf(this.corner)),
+      ArrowUp: () => this.walk(shape, this.corner < 0 ? 0 : shape.across(this.corner)),
+      ArrowDown: () => this.walk(shape, this.corner < 0 ? 0 : shape.across(this.corner)),
+      Enter: () => edge >= 0 && this.act(edge, false),
+      l: () => edge >= 0 && this.act(edge, true),
+      f: () => this.sheet.fit(), '+': () => this.sheet.zoom(1.2), '-': () => this.sheet.zoom(1 / 1.2),
+    };
+    void actions[event.key]?.();
+    return event.key in actions;
+  }
+  private walk(shape: Shape, corner: number): void {
+    this.corner = corner;
+    const edge = shape.model.cornerEdges[corner]!;
+    void this.point(edge);
+    this.say(this.spoken(edge, null));
+  }
+
+  async begin(): Promise<void> {
+    const inlined = JSON.parse(byId('inlined').textContent!) as { name: string; bytes: string } | null;
+    if (inlined) await this.open(inlined.name, bytesOf(atob(inlined.bytes)));
+    const last = inlined ? undefined : await kept();
+    const button = byId<HTMLButtonElement>('continue');
+    button.hidden = !last;
+    button.addEventListener('click', () => last && void this.open(last.name, last.project));
+    document.documentElement.dataset['ready'] = 'true';
+  }
+}
+
+async function start(): Promise<void> {
+  try {
+    const wasm = await inflated(byId('wasm').textContent!.trim());
+    const studio = new Studio(new Core(byId('worker').textContent!, wasm));
+    window.studio = { session: studio.session, tab: (tab) => studio.show(tab) };
+    await studio.begin();
+  } catch (error) {
+    byId('status').textContent = `this browser cannot run the studio: ${String(error)}`;
+  }
+}
+void start();

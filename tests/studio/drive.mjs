@@ -1,0 +1,172 @@
+// Uses the studio as someone would, in a browser, from the disk.  usage: node drive.mjs PAGE.html MESH.obj
+// With PICTURES=FOLDER in the environment it leaves screenshots there.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import axe from 'axe-core';
+import { chromium } from 'playwright-core';
+
+const [pagePath, meshPath] = process.argv.slice(2);
+const browser = await chromium.launch({
+  executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+  args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-quic', '--no-first-run',
+    '--disable-background-networking', '--disable-component-update', '--disable-sync'],
+});
+async function picture(page, name) {
+  if (!process.env.PICTURES) return;
+  await page.waitForTimeout(300);
+  await page.screenshot({ path: join(process.env.PICTURES, `${name}.png`) });
+}
+
+async function accessible(page, name) {
+  await page.evaluate(axe.source); // by the debugger, so that the page's policy stays as it is
+  const { violations } = await page.evaluate(() => window.axe.run(document, { resultTypes: ['violations'] }));
+  const serious = violations.filter((v) => ['serious', 'critical'].includes(v.impact));
+  assert.deepEqual(serious.map((v) => `${v.id}: ${v.nodes.map((n) => n.html).join(' ')}`), [], name);
+}
+
+// page.waitForFunction() needs eval, which the page forbids.
+async function until(page, holds) {
+  for (const end = Date.now() + 60000; Date.now() < end; await page.waitForTimeout(50)) if (await page.evaluate(holds)) return;
+  assert.fail(`never came: ${holds}; the page says: ${await status(page)}`);
+}
+
+const status = (page) => page.textContent('#status');
+const projectText = (page) => page.evaluate(async () => new TextDecoder().decode(await window.studio.session.project()));
+
+async function drop(page, name, bytes) {
+  await page.setInputFiles('#file', { name, mimeType: 'application/octet-stream', buffer: Buffer.from(bytes) });
+}
+
+async function aFileBecomesANet(page) {
+  await drop(page, '<img src=x onerror=alert(1)>.obj', readFileSync(meshPath));
+  await page.waitForSelector('#verdict[data-status=good]');
+  assert.match(await page.textContent('#verdict'), /one net, verified/);
+  assert.equal(await page.locator('img[src=x]').count(), 0);
+  await drop(page, 'bird.obj', readFileSync(meshPath));
+  await until(page, () => document.getElementById('name').textContent === 'bird');
+  await accessible(page, 'net');
+  await picture(page, 'net');
+}
+
+async function editsAreUndoneAndDoneAgain(page) {
+  const first = await projectText(page);
+  const made = await page.evaluate(async () => {
+    const { session } = window.studio;
+    let state = 1, count = 0;
+    const draw = (n) => (state = (state * 48271) % 2147483647) % n;
+    while (count < 200) {
+      const edge = draw(session.shape.model.edges);
+      const edit = draw(5) ? await session.editFor(edge) : { edit: 'lock', edge, locked: draw(3) === 0 };
+      if (!edit || session.shape.isBorder(edge)) continue;
+      await session.edit('random', edit);
+      ++count;
+    }
+    return count;
+  });
+  assert.equal(made, 200);
+  const last = await projectText(page);
+  assert.notEqual(first, last);
+  await page.evaluate(async () => { while (await window.studio.session.undo()); });
+  assert.equal(await projectText(page), first);
+  await page.evaluate(async () => { while (await window.studio.session.redo()); });
+  assert.equal(await projectText(page), last);
+  await page.evaluate(async () => { while (await window.studio.session.undo()); });
+  assert.equal(await projectText(page), first);
+}
+
+async function keysAreEnough(page) {
+  const first = await projectText(page);
+  await page.focus('#sheet');
+  for (let i = 0; i < 40; ++i) {
+    await page.keyboard.press(i % 3 === 2 ? 'ArrowUp' : 'ArrowRight');
+    if (/ fold/.test(await status(page))) break;
+  }
+  assert.match(await status(page), /edge \d+, fold/);
+  await page.keyboard.press('Enter');
+  await until(page, () => /cut edge/.test(document.getElementById('status').textContent));
+  assert.match(await page.textContent('#verdict'), /2 parts/);
+  await picture(page, 'cut');
+  await page.keyboard.press('Control+z');
+  await until(page, () => /undone/.test(document.getElementById('status').textContent));
+  assert.equal(await projectText(page), first);
+}
+
+async function badFilesAreTold(page) {
+  const bad = {
+    'empty.obj': '', 'words.obj': 'v 0 0 nan\nf 1 1 1\n', 'range.obj': 'v 0 0 0\nf 1 2 3\n', 'x.plico': '{"plico_project": 9}',
+    'broken.plico': '{', 'none.fold': '{"file_spec": 1.2}', 'none.xyz': 'hello',
+  };
+  for (const [name, text] of Object.entries(bad)) {
+    await page.evaluate(() => (document.getElementById('status').textContent = ''));
+    await drop(page, name, text);
+    await until(page, () => document.getElementById('status').dataset.kind === 'bad' && /\(.*\)/.test(document.getElementById('status').textContent));
+    console.log(`${name}: ${await status(page)}`);
+  }
+  assert.equal(await page.textContent('#name'), 'bird');
+}
+
+async function theModelFolds(page) {
+  await page.click('#tab-fold');
+  await page.click('#foldable');
+  await until(page, () => /proven|collide|undecided/.test(document.getElementById('motion').textContent));
+  console.log(`fold: ${await page.textContent('#motion')}`);
+  await page.$eval('#time', (slider) => { slider.value = '0.5'; slider.dispatchEvent(new Event('input')); });
+  await page.waitForTimeout(300);
+  await picture(page, 'fold');
+  await accessible(page, 'fold');
+}
+
+async function thePagesAreDrawn(page) {
+  await page.click('#tab-pages');
+  await page.waitForSelector('#pages img');
+  assert.match(await page.textContent('#page-report'), /part/);
+  const saving = page.waitForEvent('download');
+  await page.click('text=Save SVG');
+  assert.match((await saving).suggestedFilename(), /^bird.*\.svg$/);
+  await picture(page, 'pages');
+  await accessible(page, 'pages');
+}
+
+async function aReloadLosesNothing(page) {
+  const before = await projectText(page);
+  await page.waitForTimeout(1000);
+  await page.reload();
+  await page.waitForSelector('html[data-ready=true]');
+  await page.click('#continue');
+  await page.waitForSelector('#verdict:not(:empty)', { state: 'attached' });
+  await until(page, () => window.studio.session.shape);
+  assert.equal(await projectText(page), before);
+}
+
+const complaints = [];
+try {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 820 }, reducedMotion: 'reduce' });
+  const page = await context.newPage();
+  page.on('console', (m) => ['error', 'warning'].includes(m.type()) && !/GPU stall|GL Driver/.test(m.text()) && complaints.push(m.text()));
+  page.on('pageerror', (error) => complaints.push(String(error)));
+  page.on('request', (request) => /^(https?|wss?):/.test(request.url()) && complaints.push(`network: ${request.url()}`));
+  await page.goto(pathToFileURL(pagePath).href);
+  await page.waitForSelector('html[data-ready=true]');
+  await accessible(page, 'start');
+  await picture(page, 'start');
+  await aFileBecomesANet(page);
+  await editsAreUndoneAndDoneAgain(page);
+  await keysAreEnough(page);
+  await badFilesAreTold(page);
+  await theModelFolds(page);
+  await thePagesAreDrawn(page);
+  await aReloadLosesNothing(page);
+  await page.setViewportSize({ width: 390, height: 844 });
+  for (const tab of ['net', 'fold', 'pages']) {
+    await page.evaluate((t) => window.studio.tab(t), tab);
+    await page.waitForTimeout(400);
+    await picture(page, `${tab}-390`);
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+    assert.ok(wide <= 390, `${tab} is ${wide} pixels wide on a small screen`);
+  }
+  assert.deepEqual(complaints, []);
+} finally {
+  await browser.close();
+}
