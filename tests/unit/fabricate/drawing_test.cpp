@@ -43,7 +43,8 @@ TEST(Drawing, WhatLiesInsideIsCutBeforeWhatIsAroundIt) {
   const Vec2 at = layout.parts[0].panels[0].corners[0];
   layout.parts[0].outlines.push_back({at, at + Vec2(0, 1), at + Vec2(1, 0)});  // a hole, after the outer one
   std::vector<double> areas;
-  for (const Stroke& stroke : draw(layout).front().strokes)
+  const std::vector<Drawing> pages = draw(layout);
+  for (const Stroke& stroke : pages.front().strokes)
     if (stroke.layer == Layer::Cut) areas.push_back(std::abs(signed_area(stroke.points)));
   ASSERT_EQ(areas.size(), 2U);
   EXPECT_LT(areas[0], areas[1]);
