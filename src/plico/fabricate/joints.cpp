@@ -55,7 +55,8 @@ bool write_joint(PlacedPart& part, const std::vector<Vec2>& polygon, const std::
 
 // A stroke from the corner `up` towards the middle, clear of the text there.
 Mark tick(const std::vector<Vec2>& polygon, int up) {
-  const Vec2 from = polygon[up], way = centroid(polygon) - from;
+  const Vec2& from = polygon[up];
+  const Vec2 way = centroid(polygon) - from;
   const double length = std::min(kTick, 0.4 * way.norm());
   return {{from, from + length * way.normalized()}, false};
 }

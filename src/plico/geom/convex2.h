@@ -35,7 +35,8 @@ template <class A, class B, class Touch>
 bool side_separates(const A& a, const B& b, Touch touch) {
   const int n = static_cast<int>(a.size()), m = static_cast<int>(b.size());
   for (int i = 0, j = n - 1; i < n; j = i++) {
-    const Vec2 from = a[j], side = a[i] - from;
+    const auto& from = a[j];
+    const Vec2 side = a[i] - from;
     const double limit = touch(side);
     bool outside = true;
     for (int k = 0; k < m && outside; ++k) outside = cross(side, Vec2(b[k] - from)) <= limit;

@@ -100,7 +100,10 @@ class Arrangement {
       }
     }
     const bool found = !best.empty();
-    parts_ = found ? std::move(best) : before;
+    if (found)
+      parts_ = std::move(best);
+    else
+      parts_ = before;
     return found;
   }
 

@@ -10,7 +10,7 @@
 namespace plico {
 namespace {
 
-constexpr int kCells = 25;  // -180, -165, ... 180 degrees
+constexpr int kCells = 25, kMiddle = 12;  // -180, -165, ... 180 degrees, and 0 among them
 constexpr int kMostWays = 200;
 
 using Cell = std::array<int, 3>;
@@ -52,7 +52,7 @@ class GridSearch {
   Cell cell_of(const Angles3& angles) const {
     Cell cell{};
     for (int i = 0; i < window_.count(); ++i)
-      cell[i] = static_cast<int>(std::lround(angles[i] / radians(15))) + kCells / 2;
+      cell[i] = static_cast<int>(std::lround(angles[i] / radians(15))) + kMiddle;
     return cell;
   }
   int number(const Cell& cell) const { return cell[0] + kCells * (cell[1] + kCells * cell[2]); }
@@ -60,7 +60,7 @@ class GridSearch {
   Angles3 angles(int number) const {
     const Cell at = cell(number);
     Angles3 result{};
-    for (int i = 0; i < window_.count(); ++i) result[i] = radians(15.0 * (at[i] - kCells / 2));
+    for (int i = 0; i < window_.count(); ++i) result[i] = radians(15.0 * (at[i] - kMiddle));
     if (number == start_) return window_.start();
     if (number == end_) return window_.end();
     return result;
