@@ -16,6 +16,7 @@ struct ChainClaim {
   double trim = 0;                       // of every panel side
   std::vector<double> stack;             // fold angle of every hinge in the stack, radians
   int width = 0, depth = 0, height = 0;  // the box of the stack in panels, as claimed
+  int opened = -1;  // hinges, from the first on, that a motion says it brings into the shape; -1: all
 };
 
 struct ChainVerdict {

@@ -219,6 +219,11 @@ void check_ends(const ChainClaim& claim, const Linkage& chain, const FoldingPath
   while (verdict.opened < chain.num_hinges() &&
          std::abs(last[verdict.opened] - chain.hinges[verdict.opened].target) <= kSameAngle)
     ++verdict.opened;
+  const int claimed = claim.opened >= 0 ? claim.opened : chain.num_hinges();
+  if (verdict.opened != claimed)
+    verdict.defects.push_back(
+        {"motion/end", fmt::format("the motion brings {} of {} hinges into the shape, {} are claimed", verdict.opened,
+                                   chain.num_hinges(), claimed)});
 }
 
 }  // namespace

@@ -31,8 +31,8 @@ struct ChainMotionVerdict {
 };
 
 // The path is one of the claim's chain (chain_linkage_of). Its first state must be the stack (1e-9 radians); its last
-// may fall short of the shape, `opened` says how far. Panels at a common hinge are kept apart by it while it stays
-// within
+// is the shape, or as far from it as the claim says (ChainClaim::opened). Panels at a common hinge are kept apart by it
+// while it stays within
 // +-180 degrees (checked; the section of two such panels is the same at every place along the hinge). The stack itself
 // is for verify_chain(). Throws InvalidInput when the path does not fit. O(waypoints * panels) and what is near.
 ChainMotionVerdict judge_chain_motion(const ChainClaim& claim, const FoldingPath& path,

@@ -142,6 +142,7 @@ FoldFile chain_file(const ChainClaim& claim) {
   nlohmann::json chain = {{"thickness", claim.thickness}, {"trim", claim.trim},     {"width", claim.width},
                           {"depth", claim.depth},         {"height", claim.height}, {"stack_angles_deg", {}}};
   for (double angle : claim.stack) chain["stack_angles_deg"].push_back(degrees(angle));
+  if (claim.opened >= 0) chain["motion_opens_hinges"] = claim.opened;
   file.other.emplace_back(kChainKey, chain.dump());
   return file;
 }
@@ -160,6 +161,7 @@ std::optional<ChainClaim> chain_claim(const FoldFile& file) {
     claim.width = chain.at("width").get<int>();
     claim.depth = chain.at("depth").get<int>();
     claim.height = chain.at("height").get<int>();
+    claim.opened = chain.value("motion_opens_hinges", -1);
     for (const nlohmann::json& angle : chain.at("stack_angles_deg"))
       claim.stack.push_back(radians(angle.get<double>()));
   } catch (const nlohmann::json::exception&) {

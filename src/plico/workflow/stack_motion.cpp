@@ -1,6 +1,7 @@
 #include "plico/workflow/stack_motion.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "plico/base/error.h"
@@ -22,6 +23,14 @@ CompactResult from_the_end(const VoxelMesh& voxels, CompactResult found) {
 CompactResult mirrored(CompactResult found) {
   found.best.folds = upside_down(std::move(found.best.folds));
   return found;
+}
+
+// Hinges, from the first on, that stand as in the shape.
+int opened_at_end(const Linkage& chain, const FoldingPath& path) {
+  const Configuration& end = path.waypoints.back().config;
+  int opened = 0;
+  while (opened < chain.num_hinges() && std::abs(end[opened] - chain.hinges[opened].target) < 1e-9) ++opened;
+  return opened;
 }
 
 class Unpacker {
@@ -80,7 +89,9 @@ class Unpacker {
     motion.chain = std::move(best_.chain);
     const std::vector<StackFold>& folds = motion.chain.found.best.folds;
     motion.path = unpacking(chain_linkage_of(motion.chain.claim), folds, best_.peeled);
-    motion.verdict = judge_chain_motion(motion.chain.claim, motion.path, {.air = options_.peel.air}, run_);
+    ChainClaim claim = motion.chain.claim;
+    claim.opened = opened_at_end(chain_linkage_of(claim), motion.path);
+    motion.verdict = judge_chain_motion(claim, motion.path, {.air = options_.peel.air}, run_);
     const bool arrived = best_.peeled.whole || !options_.to_shape;
     motion.ending = arrived && motion.verdict.free() ? Ending::Found : run_.over() ? run_.ending() : Ending::Exhausted;
     return motion;
@@ -114,7 +125,9 @@ StackMotion unpack_stack(const VoxelMesh& voxels, const StackedChain& first, con
 }
 
 FoldFile chain_motion_file(const StackMotion& motion) {
-  FoldFile file = chain_file(motion.chain.claim);
+  ChainClaim claim = motion.chain.claim;
+  if (motion.verdict.opened < static_cast<int>(claim.stack.size())) claim.opened = motion.verdict.opened;
+  FoldFile file = chain_file(claim);
   set_path(file, chain_linkage_of(motion.chain.claim), motion.path);
   return file;
 }

@@ -32,7 +32,7 @@ struct StackMotion {
 StackMotion unpack_stack(const VoxelMesh& voxels, const StackedChain& first, const StackMeshOptions& stacking,
                          const StackMotionOptions& options = {}, const Run& run = {});
 
-// The chain with its motion as frames.
+// The chain with its motion as frames; one that ends short of the shape says so.
 FoldFile chain_motion_file(const StackMotion& motion);
 
 }  // namespace plico

@@ -7,6 +7,7 @@
 #include "plico/unfold/dual_tree.h"
 #include "plico/unfold/heuristics.h"
 #include "plico/unfold/overlap.h"
+#include "random_hanging.h"
 
 namespace plico {
 namespace {
@@ -42,14 +43,8 @@ TEST(DualTreeLaw, HangingKeepsOverlapsDepthsAndSizesTrue) {
     Rng rng(seed);
     DualTree tree(faces, lightest_forest(mesh, dual_weights(mesh, Heuristic::Random, Vec3::UnitX(), rng)));
     for (int move = 0; move < 30; ++move) {
-      const int panel = rng.below(mesh.num_faces());
-      if (tree.parent(panel) < 0) continue;
-      std::vector<int> sides;
-      for (int f : tree.gather(panel))
-        for (HalfedgeId h : mesh.halfedges(FaceId(f)))
-          if (!tree.gathered(mesh.face(mesh.twin(h))) && h != tree.parent_side(panel)) sides.push_back(h);
-      if (sides.empty()) continue;
-      const int side = sides[rng.below(static_cast<int>(sides.size()))];
+      const int side = random_hanging(tree, mesh, rng);
+      if (side < 0) continue;
       long looked = 0;
       const int expected =
           tree.num_overlaps() - tree.overlaps_with_rest() + tree.overlaps_if_hung(side, 1 << 30, looked);

@@ -4,6 +4,7 @@
 #include "mesh_samples.h"
 #include "plico/unfold/handy_folds.h"
 #include "plico/unfold/heuristics.h"
+#include "random_hanging.h"
 
 namespace plico {
 namespace {
@@ -26,14 +27,8 @@ TEST(HandyFoldsLaw, TheChangeOfAHangingIsTheDifferenceOfTheCounts) {
     EXPECT_GT(handy.all().weak_folds, 0);
     EXPECT_GT(handy.all().needles, 0);
     for (int move = 0; move < 60; ++move) {
-      const int panel = rng.below(mesh.num_faces());
-      if (tree.parent(panel) < 0) continue;
-      std::vector<int> sides;
-      for (int f : tree.gather(panel))
-        for (HalfedgeId h : mesh.halfedges(FaceId(f)))
-          if (!tree.gathered(mesh.face(mesh.twin(h))) && h != tree.parent_side(panel)) sides.push_back(h);
-      if (sides.empty()) continue;
-      const int side = sides[rng.below(static_cast<int>(sides.size()))];
+      const int side = random_hanging(tree, mesh, rng);
+      if (side < 0) continue;
       const HandFaults before = handy.all(), change = handy.change_if_hung(side);
       tree.hang(side);
       EXPECT_NEAR(handy.all().weak_folds, before.weak_folds + change.weak_folds, 1e-9);

@@ -68,8 +68,12 @@ TEST(ChainMotion, AMotionThatIsCutShortSaysHowFarItGoes) {
   for (std::size_t i = 0; i + 1 < path.waypoints.size(); ++i)
     path.waypoints[i].time = static_cast<double>(i) / static_cast<double>(path.waypoints.size());
   const ChainMotionVerdict verdict = judged(path);
-  EXPECT_TRUE(verdict.free());
-  EXPECT_LT(verdict.opened, path.waypoints[0].config.size());
+  EXPECT_EQ(verdict.verdict, PathVerdict::Free);
+  EXPECT_THAT(verdict.defects, testing::Not(testing::IsEmpty()));  // nobody said that it ends there
+  ChainClaim claim = ball().chain.claim;
+  claim.opened = verdict.opened;
+  EXPECT_LT(claim.opened, path.waypoints[0].config.size());
+  EXPECT_TRUE(judge_chain_motion(claim, path).free());
 }
 
 TEST(UnpackStack, TheSameSeedGivesTheSameMotion) {
