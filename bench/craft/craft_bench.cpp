@@ -24,8 +24,10 @@ std::string kind(const std::optional<Motion>& motion) {
 void row(Table& table, const std::string& name, const Mesh& mesh, const Run& run) {
   NetAndMotion unfolded;
   CraftResult crafted;
+  CraftOptions as_unfolded;
+  as_unfolded.wish = HandWish::None;
   const double unfolding = seconds([&] { unfolded = fold_or_plan(mesh, {}, run); });
-  const double crafting = seconds([&] { crafted = craft(mesh, {.wish = HandWish::None}, run); });
+  const double crafting = seconds([&] { crafted = craft(mesh, as_unfolded, run); });
   const bool same_motion = kind(unfolded.motion) == kind(crafted.motion);
   const bool same_net = lay_flat(mesh, unfolded.net.tree).mate == crafted.net.mate;
   table.row({name, mesh.num_faces(), kind(unfolded.motion), unfolding, kind(crafted.motion), crafting,
