@@ -191,7 +191,7 @@ Job stack_job() {
                "what each panel is and where it lies; every figure")
       .example("plico stack bird.obj --cells 10 --thickness 0.02 -o bird.fold -o motion.html",
                "and its proven motion from the stack to the shape, as a page")
-      .option("--thickness", "T", "of the panels, in voxel sides, in (0, 0.5)", args->thickness)
+      .option("--thickness", "T", "of the panels, in voxel sides", args->thickness, {0, 0.5, false, false})
       .choice(
           "--motion",
           "plan and prove how the stack unfolds: into one pile, or on into the shape; a page (.html) asks for shape",
