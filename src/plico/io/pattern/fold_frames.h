@@ -63,7 +63,8 @@ Vec2 in_plane(const Vec3& p, int axis);
 // The flat sheet that a frame holds, with its mesh numbers, parts and mates where it says so.
 Unfolding read_net(const Frame& frame);
 
-// Reads the folded form and the motion, for the sheet of `file`; returns the number of the first frame that is neither.
+// Reads the folded form and the motion, or the pieces, for the sheet of `file`; returns the number of the first frame
+// that is none of these.
 std::size_t read_motion(const std::vector<Frame>& all, FoldFile& file);
 
 }  // namespace plico::fold_json

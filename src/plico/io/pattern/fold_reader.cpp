@@ -163,8 +163,12 @@ FoldFile read_fold(std::string_view bytes, const std::string& name) {
     for (std::size_t i = read_motion(all, file); i < all.size(); ++i) file.other_frames.push_back(all[i].own().dump());
     return file;
   }
-  if (std::any_of(all.begin(), all.end(), [](const Frame& f) { return f.own().contains("plico:time"); }))
-    fail("motion", "a file with a motion has its flat sheet as the key frame", frame.at("vertices_coords"));
+  const auto says = [&](const char* key) {
+    return std::any_of(all.begin(), all.end(), [&](const Frame& f) { return f.own().contains(key); });
+  };
+  if (says("plico:time") || says("plico:piece"))
+    fail("motion", "a file with a motion, or with pieces, has its flat sheet as the key frame",
+         frame.at("vertices_coords"));
   keep_other_keys(frame.flattened(), file);
   for (const auto& [key, value] : root.items())
     if (key.starts_with("file_") && !is_ours(key)) file.other.emplace_back(key, value.dump());
