@@ -184,7 +184,7 @@ void find_net(const Mesh& mesh, const CraftOptions& options, const Run& run, Cra
 std::string fold_text(const Mesh& mesh, const CraftOptions& options, const CraftResult& result) {
   FoldFile file = result.kit ? parts_file(mesh, *result.kit) : fold_file(mesh, result.net);
   file.report = options.made_by;
-  if (result.motion) set_path(file, linkage_of(result.net), result.motion->path);
+  if (result.motion && !result.kit) set_path(file, linkage_of(result.net), result.motion->path);
   return write_fold(file);
 }
 
@@ -192,14 +192,6 @@ std::string fold_text(const Mesh& mesh, const CraftOptions& options, const Craft
 std::string caption_of(const CraftOptions& options, const std::string& file) {
   const std::size_t begin = options.name.size() + 1;
   return file.substr(begin, file.size() - begin - 4);
-}
-
-// Poses in the frame of the mesh, turned so that its up axis is z.
-std::vector<Pose> standing(std::vector<Pose> poses, const CraftOptions& options) {
-  if (options.layout.size.up != 'y') return poses;
-  const Pose upright = rotation_about(Vec3::Zero(), Vec3::UnitX(), kPi / 2);
-  for (Pose& pose : poses) pose = upright * pose;
-  return poses;
 }
 
 std::string page_text(const Mesh& mesh, const CraftOptions& options, const CraftResult& result,
@@ -211,7 +203,7 @@ std::string page_text(const Mesh& mesh, const CraftOptions& options, const Craft
   page.report = report.dump();
   page.start = 1;  // the model, beside its net
   if (result.kit && !result.kit->joints.empty() && result.motion)
-    page.home = standing(assembled(mesh, result.net), options);
+    page.home = standing(assembled(mesh, result.net), options.layout.size.up);
   if (result.motion) {
     const PathProof& proof = result.motion->proof;
     page.path = result.motion->path;
@@ -244,9 +236,9 @@ void add_pictures(const Mesh& mesh, const CraftOptions& options, CraftResult& re
   PictureOptions picture;
   picture.width = 900;
   picture.height = 700;
-  picture.home = standing(assembled(mesh, result.net), options);
+  picture.home = standing(assembled(mesh, result.net), options.layout.size.up);
   result.files.push_back({options.name + "-assembled.png", render_png(linkage, goal(linkage), picture)});
-  picture.home = standing(exploded(mesh, *result.kit), options);
+  picture.home = standing(exploded(mesh, *result.kit), options.layout.size.up);
   result.files.push_back({options.name + "-exploded.png", render_png(linkage, goal(linkage), picture)});
 }
 
@@ -273,7 +265,7 @@ CraftResult craft(const Mesh& mesh, const CraftOptions& options, const Run& run)
   if (result.kit) {
     layout.titles = part_titles(result.kit->parts.names, result.kit->pieces);
     layout.seams = seams_of(mesh, *result.kit);
-    layout.joints = joint_facets(mesh, *result.kit, layout.titles);
+    layout.joints = joint_facets(mesh, result.net, result.kit->joints, result.kit->pieces, layout.titles);
   }
   result.layout = lay_out_pages(result.net, folded_shape(mesh), layout, run);
   result.layout_verdict = verify_layout(result.layout.layout);

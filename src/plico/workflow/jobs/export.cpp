@@ -28,6 +28,7 @@
 #include "plico/workflow/jobs/print_options.h"
 #include "plico/workflow/jobs/read_sheet.h"
 #include "plico/workflow/jobs/session.h"
+#include "plico/workflow/parts_file.h"
 #include "plico/workflow/show_proof.h"
 #include "plico/workflow/stack_views.h"
 #include "plico/workflow/stand.h"
@@ -54,6 +55,7 @@ struct LoadedMotion {
   std::string title;
   std::optional<ChainClaim> chain = {};  // of thick squares
   Stand stand = {};                      // of a net that knows its mesh
+  std::vector<Pose> home = {};           // of every panel, of pieces that are glued face to face
 };
 
 // A chain of thick squares never lies flat; without a motion all there is to show is its shape.
@@ -81,7 +83,10 @@ LoadedMotion read_motion(const ExportArgs& args, Session& session) {
   if (args.up == "sheet" || file.folded.empty() || file.net.mesh_face.empty() || file.net.mesh_vertex.empty())
     return motion;
   const Mesh mesh = folded_mesh(file);
-  motion.stand = stand_of(file.net, motion.linkage, mesh, up_axis(args.up, mesh, session));
+  const char up = up_axis(args.up, mesh, session);
+  motion.stand = stand_of(file.net, motion.linkage, mesh, up);
+  if (const std::optional<PartsClaim> parts = parts_claim(file); parts && !joints_of(*parts, mesh).empty())
+    motion.home = standing(assembled(mesh, file.net), up);
   return motion;
 }
 
@@ -166,6 +171,7 @@ std::string page(const LoadedMotion& motion, Session& session) {
   input.linkage = motion.linkage;
   input.path = motion.path;
   input.stand = motion.stand;
+  input.home = motion.home;
   input.motion = motion.file.path ? planner_of(motion.file) : "linear";
   input.report = motion.file.report;
   if (motion.chain) {

@@ -15,6 +15,7 @@
 #include "plico/workflow/jobs/session.h"
 #include "plico/workflow/plan_drawn.h"
 #include "plico/workflow/plan_origami.h"
+#include "plico/workflow/plan_pieces.h"
 
 namespace plico::jobs {
 namespace {
@@ -75,7 +76,8 @@ MotionOutcome plan(const FoldFile& file, const Linkage& linkage, const FoldArgs&
   }
   if (args.grouped || !args.reuse.empty() || !args.through.empty())
     throw InvalidOption("--grouped, --reuse and --through are for crease patterns with loops; this sheet has none");
-  return plico::plan(linkage, options, session.run());
+  return file.pieces.empty() ? plico::plan(linkage, options, session.run())
+                             : plan_pieces(file.net, options, session.run());
 }
 
 // "motion.fold", "motion-2.fold", ...: alternatives stand beside the first.
