@@ -141,8 +141,10 @@ void report_motion(Session& session, const StackMotion& motion, const std::strin
 std::optional<StackMotion> find_motion(const StackArgs& args, const VoxelMesh& voxels, const StackMeshOptions& options,
                                        StackedChain& chain, Session& session) {
   if (args.motion == "none") return std::nullopt;
-  StackMotion motion =
-      unpack_stack(voxels, chain, options, {.seed = session.seed(), .to_shape = args.motion == "shape"}, session.run());
+  StackMotionOptions how;
+  how.seed = session.seed();
+  how.to_shape = args.motion == "shape";
+  StackMotion motion = unpack_stack(voxels, chain, options, how, session.run());
   chain = motion.chain;
   return motion;
 }
