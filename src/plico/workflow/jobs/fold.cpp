@@ -9,6 +9,7 @@
 
 #include "plico/base/error.h"
 #include "plico/io/pattern/fold.h"
+#include "plico/workflow/jobs/first_try.h"
 #include "plico/workflow/jobs/jobs.h"
 #include "plico/workflow/jobs/motion_report.h"
 #include "plico/workflow/jobs/read_sheet.h"
@@ -119,6 +120,10 @@ int fold_file(const FoldArgs& args, Session& session) {
   FoldFile file = read_sheet(args.net, session, args.drawing);
   narrow_limits(file.net.sheet, args.max_fold_angle);
   Linkage linkage = make_linkage(file.net.sheet, file.net.mate);
+  const CreasePattern drawn = file.net.sheet;
+  if (const int free = num_unassigned(drawn); free > 0)
+    session.say(fmt::format("{} crease{} no mountain or valley: plico origami assign {} -o assigned.fold finds some",
+                            free, free == 1 ? " has" : "s have", args.net));
   const MotionOutcome outcome = plan(file, linkage, args, session);
   if (outcome.sheet) {
     set_sheet(file, *outcome.sheet);
@@ -143,6 +148,7 @@ int fold_file(const FoldArgs& args, Session& session) {
     if (share < 1) session.say(fmt::format("reached {:.4g} % of the way to the goal", 100 * share));
     session.report()["progress"] = share;
     for (const std::string& note : outcome.notes) session.report()["notes"].push_back(note);
+    if (!outcome.proven() || share < kStaysFlat) session.say(tell_what_stops(drawn, outcome, args.net));
   }
   session.report()["panels"] = linkage.num_panels();
   session.report()["hinges"] = linkage.num_hinges();

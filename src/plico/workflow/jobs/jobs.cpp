@@ -77,6 +77,7 @@ std::vector<Job> all_jobs() {
       origami_info_job(),
       origami_gallery_job(),
       origami_settle_job(),
+      origami_assign_job(),
       verify_job(),
   };
   // clang-format on
