@@ -117,7 +117,7 @@ std::vector<PeelWindow::Pair> PeelWindow::near_pairs(const Placed& at, double sl
 bool PeelWindow::free_at(const Angles3& angles) const {
   Placed at;
   place(angles, at);
-  return std::ranges::none_of(near_pairs(at, 0),
+  return !std::ranges::any_of(near_pairs(at, 0),
                               [&](const Pair& pair) { return gap(at.box[pair.mover], other_box(pair, at)) <= 0; });
 }
 
