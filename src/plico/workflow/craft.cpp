@@ -8,6 +8,7 @@
 #include "plico/base/error.h"
 #include "plico/base/version.h"
 #include "plico/fabricate/hand_measures.h"
+#include "plico/fabricate/net_sides.h"
 #include "plico/io/motion/png.h"
 #include "plico/io/motion/viewer.h"
 #include "plico/io/page/dxf.h"
@@ -28,6 +29,9 @@ namespace {
 
 // Steps of each lane that improves a net for hands, per face and at most: seconds for a usual animal.
 constexpr long kImprovingSteps = 400, kMostImprovingSteps = 200'000;
+
+// Pages of more panels take longer than who stopped or limited the work wants to wait.
+constexpr int kMostToDrawLate = 10'000;  // faces
 
 std::string_view kind_of(MotionMethod method) {
   return method == MotionMethod::Linear || method == MotionMethod::Uniform ? name(method) : "planned";
@@ -198,6 +202,15 @@ std::string caption_of(const CraftOptions& options, const std::string& file) {
 
 bool is_put_together(const CraftResult& result) { return result.kit && result.kit->parts.num_parts() > 1; }
 
+// What is printed at each side of each panel.
+std::vector<std::vector<std::string>> side_ids(const CraftResult& result) {
+  const NetSides sides(result.net);
+  std::vector<std::vector<std::string>> ids(result.net.sheet.faces.size());
+  for (int p = 0; p < result.net.sheet.num_faces(); ++p)
+    for (const int edge : sides.edges(p)) ids[p].push_back(result.layout.report.edge_ids[edge]);
+  return ids;
+}
+
 std::string page_text(const Mesh& mesh, const CraftOptions& options, const CraftResult& result,
                       const nlohmann::json& report) {
   ViewerInput page;
@@ -208,6 +221,8 @@ std::string page_text(const Mesh& mesh, const CraftOptions& options, const Craft
   page.start = 1;  // the model, beside its net
   if (is_put_together(result) && result.motion)
     page.home = standing(assembled(mesh, result.net), options.layout.size.up);
+  page.part_of_panel = result.layout.report.part_of_panel;
+  page.side_ids = side_ids(result);
   if (result.motion) {
     const PathProof& proof = result.motion->proof;
     page.path = result.motion->path;
@@ -246,6 +261,36 @@ void add_pictures(const Mesh& mesh, const CraftOptions& options, CraftResult& re
   result.files.push_back({options.name + "-exploded.png", render_png(linkage, goal(linkage), picture)});
 }
 
+void add_drawings(const Mesh& mesh, const CraftOptions& options, const Run& run, CraftResult& result) {
+  run.report("laying out pages", 0);
+  LayoutOptions layout = options.layout;
+  layout.size.fill_page = true;
+  if (result.kit) {
+    layout.titles = part_titles(result.kit->parts.names, result.kit->pieces);
+    layout.seams = seams_of(mesh, *result.kit);
+    layout.joints = joint_facets(mesh, result.net, result.kit->joints, result.kit->pieces, layout.titles);
+  }
+  result.layout = lay_out_pages(result.net, folded_shape(mesh), layout, run);
+  result.layout_verdict = verify_layout(result.layout.layout);
+  add_pages(options, result);
+  if (is_put_together(result)) add_pictures(mesh, options, result);
+}
+
+void report_pages(const CraftResult& result, nlohmann::json& report) {
+  const LayoutReport& layout = result.layout.report;
+  const HandWork work = hand_work(result);
+  report["pages"] = layout.pages;
+  report["size_mm"] = {layout.final_size.x(), layout.final_size.y(), layout.final_size.z()};
+  report["scale_mm_per_unit"] = layout.scale;
+  report["fill_ratio"] = layout.fill_ratio;
+  report["tabs"] = layout.tabs.tabs.size();
+  report["edges"] = work.edges;
+  report["edges_under_5_mm"] = work.small;
+  report["seams_without_tab"] = layout.tabs.omitted + layout.tabs.short_seams;
+  report["pages_verified"] = result.layout_verdict.sound();
+  report["hands"] = json_of(measure_for_hands(result.net, layout.scale));
+}
+
 }  // namespace
 
 HandWish hand_wish(std::string_view name) {
@@ -263,22 +308,12 @@ CraftResult craft(const Mesh& mesh, const CraftOptions& options, const Run& run)
     find_net(mesh, options, run, result);
   if (result.motion && !result.proven() && run.over()) result.ending = run.ending();
   if (result.motion) result.motion_kind = kind_of(result.motion->method);
-  run.report("laying out pages", 0);
-  LayoutOptions layout = options.layout;
-  layout.size.fill_page = true;
-  if (result.kit) {
-    layout.titles = part_titles(result.kit->parts.names, result.kit->pieces);
-    layout.seams = seams_of(mesh, *result.kit);
-    layout.joints = joint_facets(mesh, result.net, result.kit->joints, result.kit->pieces, layout.titles);
-  }
-  result.layout = lay_out_pages(result.net, folded_shape(mesh), layout, run);
-  result.layout_verdict = verify_layout(result.layout.layout);
-  add_pages(options, result);
-  if (is_put_together(result)) add_pictures(mesh, options, result);
+  result.drawn = !run.over() || mesh.num_faces() <= kMostToDrawLate;
+  if (result.drawn) add_drawings(mesh, options, run, result);
   result.files.push_back({options.name + ".fold", fold_text(mesh, options, result)});
   const nlohmann::json report = craft_report(mesh, result);
   result.files.push_back({"report.json", report.dump(2) + "\n"});
-  result.files.push_back({"index.html", page_text(mesh, options, result, report)});
+  if (result.drawn) result.files.push_back({"index.html", page_text(mesh, options, result, report)});
   return result;
 }
 
@@ -304,8 +339,6 @@ HandWork hand_work(const CraftResult& result) {
 }
 
 nlohmann::json craft_report(const Mesh& mesh, const CraftResult& result) {
-  const LayoutReport& layout = result.layout.report;
-  const HandWork work = hand_work(result);
   nlohmann::json report = {
       {"faces", mesh.num_faces()},
       {"components", components(mesh).count},
@@ -313,23 +346,14 @@ nlohmann::json craft_report(const Mesh& mesh, const CraftResult& result) {
       {"parts", result.verdict.parts},
       {"net_verified", result.verdict.valid()},
       {"overlaps", result.verdict.overlaps.count},
-      {"pages", layout.pages},
-      {"size_mm", {layout.final_size.x(), layout.final_size.y(), layout.final_size.z()}},
-      {"scale_mm_per_unit", layout.scale},
-      {"fill_ratio", layout.fill_ratio},
-      {"tabs", layout.tabs.tabs.size()},
-      {"edges", work.edges},
-      {"edges_under_5_mm", work.small},
-      {"seams_without_tab", layout.tabs.omitted + layout.tabs.short_seams},
-      {"pages_verified", result.layout_verdict.sound()},
-      {"hands", json_of(measure_for_hands(result.net, layout.scale))},
   };
+  if (result.drawn) report_pages(result, report);
   if (result.kit) report["pieces"] = parts_json(mesh, *result.kit);
   if (result.kit && !result.kit->joints.empty()) {
     report["joints"] = joints_json(*result.kit);
     report["joints_verified"] = result.joint_defects.empty();
-    report["joints_too_small_for_text"] = layout.joints_unnamed;
-    report["joints_too_small_for_rivet"] = layout.joints_without_hole;
+    report["joints_too_small_for_text"] = result.layout.report.joints_unnamed;
+    report["joints_too_small_for_rivet"] = result.layout.report.joints_without_hole;
   }
   if (result.motion)
     report["motion"] = {{"kind", result.motion_kind},

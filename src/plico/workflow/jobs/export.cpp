@@ -249,18 +249,18 @@ Job export_job() {
               args->title)
       .choice("--up", "axis of the mesh along which pages and pictures let the model stand; sheet: as the net lies",
               args->up, {"auto", "y", "z", "sheet"})
-      .option("--at", "TIME", "moment of a picture: 0 flat, 1 folded", args->at)
-      .option("--picture-width", "PIXELS", "of a picture, in [16, 8192]", args->width)
-      .option("--picture-height", "PIXELS", "of a picture, in [16, 8192]", args->height)
+      .option("--at", "TIME", "moment of a picture: 0 flat, 1 folded", args->at, {0, 1})
+      .option("--picture-width", "PIXELS", "of a picture", args->width, {16, 8192})
+      .option("--picture-height", "PIXELS", "of a picture", args->height, {16, 8192})
       .angle("--azimuth", "camera of a picture, around the sheet", args->azimuth)
       .angle("--elevation", "camera of a picture, above the sheet's plane", args->elevation)
       .flag("--transparent", "a picture without background and shadow", args->transparent)
       .length("--longest", "of a robot model: longest side when folded; else a unit is what the file says, or 1 mm",
-              args->longest_mm)
-      .option("--seconds", "SECONDS", "how long an animation or a trajectory lasts", args->seconds)
-      .option("--grammage", "G_PER_M2", "mass of the sheet in a robot model", args->grams_per_square_metre)
+              args->longest_mm, above(0))
+      .option("--seconds", "SECONDS", "how long an animation or a trajectory lasts", args->seconds, above(0))
+      .option("--grammage", "G_PER_M2", "mass of the sheet in a robot model", args->grams_per_square_metre, above(0))
       .option("--sheet-thickness", "MM", "thickness of panels in a robot model when the linkage has none",
-              args->sheet_thickness_mm)
+              args->sheet_thickness_mm, above(0))
       .action([args](Session& session) { return export_file(*args, session); });
 }
 

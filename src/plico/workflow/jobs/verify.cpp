@@ -352,9 +352,9 @@ Job verify_job() {
       .positional("file", "net, crease pattern or motion: FOLD, .cp, .opx, .ori or SVG", args->file)
       .positional("mesh", "the mesh it was made from; without it, the folded form in the file", args->mesh, false)
       .option("--clearance", "LENGTH", "motions: how far panels are shrunk, file's unit; 0: 1/1000 of the mean side",
-              args->clearance)
-      .angle("--angle-noise", "motions: also fold with every crease off by up to this much", args->noise)
-      .option("--samples", "N", "motions folded with --angle-noise", args->samples)
+              args->clearance, at_least(0))
+      .angle("--angle-noise", "motions: also fold with every crease off by up to this much", args->noise, at_least(0))
+      .option("--samples", "N", "motions folded with --angle-noise", args->samples, at_least(1))
       .action([args](Session& session) { return verify_file(*args, session); });
   add_repair_option(job, args->repair);
   return job;
