@@ -55,7 +55,7 @@ struct LoadedMotion {
   std::string title;
   std::optional<ChainClaim> chain = {};  // of thick squares
   Stand stand = {};                      // of a net that knows its mesh
-  std::vector<Pose> home = {};           // of every panel, of pieces that are glued face to face
+  std::vector<Pose> home = {};           // of every panel, of parts that are put together
 };
 
 // A chain of thick squares never lies flat; without a motion all there is to show is its shape.
@@ -85,7 +85,7 @@ LoadedMotion read_motion(const ExportArgs& args, Session& session) {
   const Mesh mesh = folded_mesh(file);
   const char up = up_axis(args.up, mesh, session);
   motion.stand = stand_of(file.net, motion.linkage, mesh, up);
-  if (const std::optional<PartsClaim> parts = parts_claim(file); parts && !joints_of(*parts, mesh).empty())
+  if (const std::optional<PartsClaim> parts = parts_claim(file); parts && parts->names.size() > 1)
     motion.home = standing(assembled(mesh, file.net), up);
   return motion;
 }

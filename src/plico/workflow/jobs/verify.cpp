@@ -169,7 +169,7 @@ void report_parts(Session& session, const PartsVerdict& verdict) {
   session.print(fmt::format("parts      {}, {} with a net in one piece; seams of {}, {:.6g} long\n", verdict.parts,
                             verdict.in_one_piece, count(verdict.seam_edges, "edge"), verdict.seam_length));
   if (verdict.joints > 0)
-    session.print(fmt::format("joints     {}, glued face to face\n", count(verdict.joints, "pair of facets")));
+    session.print(fmt::format("joints     {} of facets, glued face to face\n", count(verdict.joints, "pair")));
   session.print(lines_of(verdict.defects));
   session.print(fmt::format("together   {}\n", verdict.valid() ? "yes" : verdict.net.complete ? "no" : "not finished"));
 }
