@@ -69,6 +69,7 @@ class LayerJudge {
   FlatLayersVerdict run() {
     for (const Crease& crease : sheet_.edges)
       if (std::abs(crease.fold_angle) > kFlatFolds && std::abs(std::abs(crease.fold_angle) - kPi) > kFlatFolds) {
+        verdict_.flat_goal = false;
         fail("the goal is not flat", {}, sheet_.vertices[crease.a]);
         return verdict_;
       }

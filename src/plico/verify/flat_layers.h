@@ -9,6 +9,7 @@ namespace plico {
 
 struct FlatLayersVerdict {
   bool valid = false;
+  bool flat_goal = true;    // false: not judged, since some fold is neither 0 nor 180 degrees
   std::string why;          // not valid: a sentence
   Vec2 where{0, 0};         // then: in the folded sheet
   std::vector<int> panels;  // then: that are at fault there

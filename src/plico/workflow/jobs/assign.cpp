@@ -9,6 +9,7 @@
 
 #include "plico/origami/layer_order.h"
 #include "plico/verify/flat_layers.h"
+#include "plico/workflow/jobs/face_orders.h"
 #include "plico/workflow/jobs/jobs.h"
 #include "plico/workflow/jobs/read_sheet.h"
 #include "plico/workflow/jobs/session.h"
@@ -51,11 +52,7 @@ void write_layers(FoldFile& file, Session& session) {
   const FlatLayersVerdict verdict = check_flat_layers(file.net.sheet, layers.orders);
   session.report()["layers_verified"] = verdict.valid;
   if (!verdict.valid) return session.say(fmt::format("layers: an order was found but not verified: {}", verdict.why));
-  nlohmann::json orders = nlohmann::json::array();
-  for (const FaceOrder& order : layers.orders) orders.push_back({order.f, order.g, order.side});
-  std::erase_if(file.other, [](const auto& entry) { return entry.first == "faceOrders"; });
-  file.other.emplace_back("faceOrders", orders.dump());
-  std::sort(file.other.begin(), file.other.end());
+  set_face_orders(file, layers.orders);
   session.say(fmt::format("layers: an order of {} pairs of panels that lie on each other, verified at {} places",
                           layers.orders.size(), verdict.places));
 }
