@@ -94,12 +94,12 @@ void StopSignal::watch() {
     const bool on_the_clock = limit_ || grace_;
     const int signal = sigtimedwait(&set, nullptr, on_the_clock ? &tick : nullptr);
     if (closing_) return;
-    if (signal > 0) take(signal);
+    if (signal > 0) take_signal();
     look_at_the_clock();
   }
 }
 
-void StopSignal::take(int) {
+void StopSignal::take_signal() {
   if (source_.stop_requested()) {
     if (Clock::now() - asked_ > kEcho) _exit(jobs::kInterrupted);
     return;
