@@ -1,4 +1,5 @@
-# cmake --install gives the program, the library with its headers and CMake package, the manual page and completions.
+# cmake --install gives the program, the library with its headers and CMake package, the manual page and completions,
+# and the studio's page where setup/build-studio made one.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/plico)
@@ -27,4 +28,5 @@ install(FILES ${written}/plico.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES ${written}/plico.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME plico)
 install(FILES ${written}/_plico DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
 install(FILES ${written}/plico.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+install(FILES ${PROJECT_SOURCE_DIR}/build/wasm/plico-studio.html DESTINATION ${CMAKE_INSTALL_DATADIR}/plico OPTIONAL)
 install(FILES LICENSE docs/licences.md DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -7,6 +7,7 @@ namespace plico::cli {
 
 std::vector<Job> all_commands() {
   std::vector<Job> commands = jobs::all_jobs();
+  commands.push_back(studio_command());
   commands.push_back(man_command());
   commands.push_back(completions_command());
   return commands;

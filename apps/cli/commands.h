@@ -10,6 +10,7 @@ using jobs::Job;
 using jobs::Option;
 using jobs::Session;
 
+Job studio_command();
 Job man_command();
 Job completions_command();
 

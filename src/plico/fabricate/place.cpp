@@ -117,7 +117,10 @@ class PageFiller {
   double radius() const { return gap_ / kCell + 0.5; }
   bool empty() const { return items_.empty(); }
   bool alone() const { return alone_; }
-  int first_item() const { return std::ranges::min(items_, {}, &Item::item).item; }
+  int first_item() const {
+    return std::min_element(items_.begin(), items_.end(), [](const Item& a, const Item& b) { return a.item < b.item; })
+        ->item;
+  }
 
   // The finished page; parts are moved to the middle of the room above the key.
   Page finish(int number, double ruler, std::vector<Placement>& placements) {

@@ -8,7 +8,8 @@ constexpr double kEm = 1000;  // large, so that hinting and cairo's fixed point 
 }
 
 struct Font::Face {
-  cairo_surface_t* surface = cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1);
+  // Without bounds: cairo leaves out letters that begin more than 10 em beside a surface, even of a path.
+  cairo_surface_t* surface = cairo_recording_surface_create(CAIRO_CONTENT_ALPHA, nullptr);
   cairo_t* context = cairo_create(surface);
   Face() {
     cairo_select_font_face(context, kFamily, CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);

@@ -89,7 +89,8 @@ void smooth_seams(const DualGraph& graph, std::vector<int>& part) {
     const std::optional<Neck> neck = smoothed_neck(graph, faces, side, {.min_area = 0});
     if (!neck) continue;
     // The smaller side is told; it keeps the number that most of it has.
-    const auto in_b = std::count_if(neck->side.begin(), neck->side.end(), [&](int f) { return part[f] == b; });
+    long in_b = 0;
+    for (int f : neck->side) in_b += part[f] == b;
     const bool is_b = 2 * in_b > static_cast<long>(neck->side.size());
     for (int f : faces) part[f] = is_b ? a : b;
     for (int f : neck->side) part[f] = is_b ? b : a;

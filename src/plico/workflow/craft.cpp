@@ -188,7 +188,7 @@ void find_net(const Mesh& mesh, const CraftOptions& options, const Run& run, Cra
 std::string fold_text(const Mesh& mesh, const CraftOptions& options, const CraftResult& result) {
   FoldFile file = result.kit ? parts_file(mesh, *result.kit) : fold_file(mesh, result.net);
   file.report = options.made_by;
-  if (result.motion) set_path(file, linkage_of(result.net), result.motion->path);
+  if (result.motion && !result.kit) set_path(file, linkage_of(result.net), result.motion->path);
   return write_fold(file);
 }
 
@@ -196,14 +196,6 @@ std::string fold_text(const Mesh& mesh, const CraftOptions& options, const Craft
 std::string caption_of(const CraftOptions& options, const std::string& file) {
   const std::size_t begin = options.name.size() + 1;
   return file.substr(begin, file.size() - begin - 4);
-}
-
-// Poses in the frame of the mesh, turned so that its up axis is z.
-std::vector<Pose> standing(std::vector<Pose> poses, const CraftOptions& options) {
-  if (options.layout.size.up != 'y') return poses;
-  const Pose upright = rotation_about(Vec3::Zero(), Vec3::UnitX(), kPi / 2);
-  for (Pose& pose : poses) pose = upright * pose;
-  return poses;
 }
 
 // What is printed at each side of each panel.
@@ -223,7 +215,7 @@ std::string page_text(const Mesh& mesh, const CraftOptions& options, const Craft
   page.stand = stand_of(result.net, page.linkage, mesh, options.layout.size.up);
   page.report = report.dump();
   page.start = 1;  // the model, beside its net
-  if (result.kit && result.motion) page.home = standing(assembled(mesh, result.net), options);
+  if (result.kit && result.motion) page.home = standing(assembled(mesh, result.net), options.layout.size.up);
   page.part_of_panel = result.layout.report.part_of_panel;
   page.side_ids = side_ids(result);
   if (result.motion) {
@@ -258,9 +250,9 @@ void add_pictures(const Mesh& mesh, const CraftOptions& options, CraftResult& re
   PictureOptions picture;
   picture.width = 900;
   picture.height = 700;
-  picture.home = standing(assembled(mesh, result.net), options);
+  picture.home = standing(assembled(mesh, result.net), options.layout.size.up);
   result.files.push_back({options.name + "-assembled.png", render_png(linkage, goal(linkage), picture)});
-  picture.home = standing(exploded(mesh, *result.kit), options);
+  picture.home = standing(exploded(mesh, *result.kit), options.layout.size.up);
   result.files.push_back({options.name + "-exploded.png", render_png(linkage, goal(linkage), picture)});
 }
 
@@ -271,7 +263,7 @@ void add_drawings(const Mesh& mesh, const CraftOptions& options, const Run& run,
   if (result.kit) {
     layout.titles = part_titles(result.kit->parts.names, result.kit->pieces);
     layout.seams = seams_of(mesh, *result.kit);
-    layout.joints = joint_facets(mesh, *result.kit, layout.titles);
+    layout.joints = joint_facets(mesh, result.net, result.kit->joints, result.kit->pieces, layout.titles);
   }
   result.layout = lay_out_pages(result.net, folded_shape(mesh), layout, run);
   result.layout_verdict = verify_layout(result.layout.layout);

@@ -1,4 +1,4 @@
-// PDF 1.5 with named layers (optional content groups), text by cairo, objects by QPDF.
+// PDF 1.5 with named layers (optional content groups) and text that can be searched. Source: ISO 32000-1.
 #pragma once
 #include <string>
 #include <vector>

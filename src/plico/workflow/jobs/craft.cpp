@@ -195,7 +195,7 @@ Job craft_job() {
       .example("plico craft bird.obj --foldable none --split -o bird", "any net, cut where it does not fit a page")
       .positional("mesh", "OBJ, OFF, STL or PLY file; '-' is standard input", args->mesh)
       .option("--faces", "N", "simplify the mesh to so many triangles first, as plico simplify does; 0: as it is",
-              args->faces)
+              args->faces, at_least(0))
       .choice("--coplanar", "neighbouring faces in one plane are one panel, or kept as they are", args->coplanar,
               {"join", "keep"})
       .choice("--foldable", "look for a net whose linear or uniform motion is proven free of collision", args->foldable,
@@ -209,7 +209,8 @@ Job craft_job() {
       .flag("--shells",
             "convex pieces, glued face to face: one for each part of the shape, or each nearly convex part of one mesh",
             args->shells)
-      .option("--concavity", "X", "of those nearly convex parts, as for plico segment --by convexity", args->concavity);
+      .option("--concavity", "X", "of those nearly convex parts, as for plico segment --by convexity", args->concavity,
+              above(0));
   add_repair_option(job, args->repair);
   add_print_options(job, args->print);
   job.action([args](Session& session) { return craft_file(*args, session); });

@@ -25,7 +25,6 @@
 #include "plico/io/pattern/ori.h"
 #include "plico/io/pattern/svg_pattern.h"
 #include "plico/io/text/file.h"
-#include "plico/mesh/upright.h"
 #include "plico/verify/path.h"
 #include "plico/workflow/jobs/jobs.h"
 #include "plico/workflow/jobs/motion_report.h"
@@ -99,7 +98,7 @@ LoadedMotion read_motion(const ExportArgs& args, Session& session) {
   const char up = up_axis(args.up, mesh, session);
   motion.stand = stand_of(file.net, motion.linkage, mesh, up);
   if (file.net.num_parts() > 1 && motion.path.at(1).isApprox(goal(motion.linkage)))
-    for (const Pose& home : assembled(mesh, file.net)) motion.home.push_back(Pose(z_up_from(up)) * home);
+    motion.home = standing(assembled(mesh, file.net), up);
   return motion;
 }
 
@@ -321,18 +320,19 @@ Job export_job() {
               args->title)
       .choice("--up", "axis of the mesh along which pages and pictures let the model stand; sheet: as the net lies",
               args->up, {"auto", "y", "z", "sheet"})
-      .option("--at", "TIME", "moment of a picture, or of a mesh: 0 flat, 1 folded", args->at)
-      .option("--picture-width", "PIXELS", "of a picture, in [16, 8192]; 0: 1200, of a GIF 600", args->width)
-      .option("--picture-height", "PIXELS", "of a picture, in [16, 8192]; 0: three quarters of its width", args->height)
+      .option("--at", "TIME", "moment of a picture, or of a mesh: 0 flat, 1 folded", args->at, {0, 1})
+      .option("--picture-width", "PIXELS", "of a picture, at least 16; 0: 1200, of a GIF 600", args->width, {0, 8192})
+      .option("--picture-height", "PIXELS", "of a picture, at least 16; 0: three quarters of its width", args->height,
+              {0, 8192})
       .angle("--azimuth", "camera of a picture, around the sheet", args->azimuth)
       .angle("--elevation", "camera of a picture, above the sheet's plane", args->elevation)
       .flag("--transparent", "a picture without background and shadow", args->transparent)
       .length("--longest", "of a robot model: longest side when folded; else a unit is what the file says, or 1 mm",
-              args->longest_mm)
-      .option("--seconds", "SECONDS", "how long an animation or a trajectory lasts", args->seconds)
-      .option("--grammage", "G_PER_M2", "mass of the sheet in a robot model", args->grams_per_square_metre)
+              args->longest_mm, above(0))
+      .option("--seconds", "SECONDS", "how long an animation or a trajectory lasts", args->seconds, above(0))
+      .option("--grammage", "G_PER_M2", "mass of the sheet in a robot model", args->grams_per_square_metre, above(0))
       .option("--sheet-thickness", "MM", "thickness of panels in a robot model when the linkage has none",
-              args->sheet_thickness_mm)
+              args->sheet_thickness_mm, above(0))
       .action([args](Session& session) { return export_file(*args, session); });
 }
 
