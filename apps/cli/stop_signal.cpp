@@ -28,9 +28,9 @@ constexpr double kSlowness = 30;
 #else
 constexpr double kSlowness = 1;
 #endif
-constexpr double kGrace = 0.9 * kSlowness;  // seconds, so that the program has ended within one
-constexpr double kLongest = 8 * kSlowness;  // where others have the processor
-constexpr double kIdle = 1e-3;              // seconds of work during the grace: it waits for something, such as input
+constexpr double kGrace = 0.9 * kSlowness;     // seconds, so that the program has ended within one
+constexpr double kLongest = 8 * kSlowness;     // where others have the processor
+constexpr double kIdle = 0.9, kLittle = 5e-3;  // less work than this in that time: it waits, for input or a pipe
 constexpr std::chrono::milliseconds kTick(20);
 
 double processor_seconds() {
@@ -55,15 +55,20 @@ class StopSignal::Grace {
   explicit Grace(jobs::ExitCode because) : because_(because) {}
 
   jobs::ExitCode because() const { return because_; }
-  bool is_over() const {
-    const double passed = duration<double>(Clock::now() - begin_).count(), worked = processor_seconds() - worked_;
-    return passed > kGrace && (worked > kGrace || worked < kIdle || passed > kLongest);
+
+  // To be asked often, since it sees by that whether the work goes on.
+  bool is_over() {
+    const Clock::time_point now = Clock::now();
+    const double worked = processor_seconds();
+    if (worked - worked_when_busy_ > kLittle) busy_ = now, worked_when_busy_ = worked;
+    const double passed = duration<double>(now - begin_).count(), idle = duration<double>(now - busy_).count();
+    return idle > kIdle || (passed > kGrace && (worked - worked_before_ > kGrace || passed > kLongest));
   }
 
  private:
   jobs::ExitCode because_;
-  Clock::time_point begin_ = Clock::now();
-  double worked_ = processor_seconds();
+  Clock::time_point begin_ = Clock::now(), busy_ = begin_;
+  double worked_before_ = processor_seconds(), worked_when_busy_ = worked_before_;
 };
 
 StopSignal::StopSignal(double time_limit, std::function<void(jobs::ExitCode)> give_up) : give_up_(std::move(give_up)) {
@@ -94,12 +99,12 @@ void StopSignal::watch() {
     const bool on_the_clock = limit_ || grace_;
     const int signal = sigtimedwait(&set, nullptr, on_the_clock ? &tick : nullptr);
     if (closing_) return;
-    if (signal > 0) take(signal);
+    if (signal > 0) take_signal();
     look_at_the_clock();
   }
 }
 
-void StopSignal::take(int) {
+void StopSignal::take_signal() {
   if (source_.stop_requested()) {
     if (Clock::now() - asked_ > kEcho) _exit(jobs::kInterrupted);
     return;

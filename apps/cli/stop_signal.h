@@ -32,7 +32,7 @@ class StopSignal {
   class Grace;
 
   void watch();
-  void take(int signal);
+  void take_signal();
   void look_at_the_clock();
 
   std::function<void(jobs::ExitCode)> give_up_;

@@ -24,3 +24,10 @@ if(NOT PLICO_COVERAGE)
 endif()
 set_tests_properties(structure/doxygen_reads_our_comments structure/one_libm structure/one_libm_finds_others structure/include_order structure/include_order_finds_wrong_includes structure/file_length
   PROPERTIES LABELS structure TIMEOUT 60)
+
+# What a page tells a reader to type works as it stands there.
+foreach(page animal-to-hold pattern-that-moves net-to-robot)
+  add_test(NAME structure/guide_commands_of_${page}
+    COMMAND ${CMAKE_CURRENT_LIST_DIR}/guide_commands $<TARGET_FILE:plico_program> ${PROJECT_SOURCE_DIR}/docs/guide/${page}.md)
+  set_tests_properties(structure/guide_commands_of_${page} PROPERTIES LABELS structure TIMEOUT 120)
+endforeach()

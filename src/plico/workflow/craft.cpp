@@ -280,6 +280,7 @@ void report_pages(const CraftResult& result, nlohmann::json& report) {
   const LayoutReport& layout = result.layout.report;
   const HandWork work = hand_work(result);
   report["pages"] = layout.pages;
+  report["printed_parts"] = layout.parts;  // more than parts of the net where some were split to fit
   report["size_mm"] = {layout.final_size.x(), layout.final_size.y(), layout.final_size.z()};
   report["scale_mm_per_unit"] = layout.scale;
   report["fill_ratio"] = layout.fill_ratio;

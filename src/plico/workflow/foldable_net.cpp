@@ -137,6 +137,15 @@ std::optional<Motion> planned_motion(const Mesh& mesh, const FoldForest& tree, c
   return plan(linkage, planning, run).motions.front();
 }
 
+// Where no time is left: a search would take some seconds on a large mesh before it looks at the clock.
+FoldableNet net_without_search(const Mesh& mesh, const FoldableNetOptions& options, const Run& run) {
+  FoldableNet result;
+  result.tree = find_net(mesh, {.seed = options.seed}, run).forest;
+  result.path = path_by(options.law, linkage_of(lay_flat(mesh, result.tree)));
+  result.ending = run.ending();
+  return result;
+}
+
 // The planner gets the rest of the time.
 Run leaving_a_quarter(const Run& run) {
   const std::chrono::duration<double> left = *run.deadline - Run::Clock::now();
@@ -172,6 +181,7 @@ FoldableNet find_foldable_net(const Mesh& mesh, const FoldableNetOptions& option
   const PanelKit kit = kit_of(mesh);
   const double clearance = options.clearance > 0 ? options.clearance : default_clearance(loose_panels(kit));
   FoldableNet result;
+  if (run.over()) return net_without_search(mesh, options, run);
   result.crossing = crossing_faces(mesh, clearance);
   if (!result.crossing.empty()) {
     result.tree = find_net(mesh, {.seed = options.seed}, run).forest;
@@ -179,6 +189,7 @@ FoldableNet find_foldable_net(const Mesh& mesh, const FoldableNetOptions& option
     result.path = path_by(options.law, linkage_of(lay_flat(mesh, result.tree)));
     return result;
   }
+  if (run.over()) return net_without_search(mesh, options, run);
   const Rng rng(options.seed);
   // A net to start from, or at least a spanning tree.
   const auto start = [&](int lane) {

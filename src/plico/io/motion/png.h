@@ -21,6 +21,7 @@ struct PictureOptions {
   bool transparent = false;                            // no background and no shadow on the ground
   // What must fit into the picture, so that stills of one motion share one scale; empty: the configuration itself.
   std::vector<Configuration> frame;
+  std::vector<Vec3> room = {};  // points that must fit as well, after the turn
   // A motion of every panel after it is folded, to show pieces of a kit where they belong; empty: none.
   std::vector<Pose> home = {};
 };

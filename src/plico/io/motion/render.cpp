@@ -343,7 +343,7 @@ Picture render(const Linkage& linkage, const Configuration& config, const Pictur
   if (!options.home.empty() && static_cast<int>(options.home.size()) != linkage.num_panels())
     throw InvalidInput("linkage/home",
                        fmt::format("{} motions for {} panels", options.home.size(), linkage.num_panels()));
-  std::vector<Vec3> content;
+  std::vector<Vec3> content = options.room;
   for (const Configuration& c : options.frame) {
     const std::vector<Vec3> points = points_of(linkage, poses_of(linkage, c, options));
     content.insert(content.end(), points.begin(), points.end());

@@ -10,10 +10,13 @@
 
 #include "plico/base/error.h"
 #include "plico/base/units.h"
+#include "plico/io/mesh/mesh_file.h"
 #include "plico/io/motion/angle_plot.h"
 #include "plico/io/motion/csv.h"
+#include "plico/io/motion/gif.h"
 #include "plico/io/motion/gltf.h"
 #include "plico/io/motion/mjcf.h"
+#include "plico/io/motion/panel_solid.h"
 #include "plico/io/motion/png.h"
 #include "plico/io/motion/urdf.h"
 #include "plico/io/motion/viewer.h"
@@ -28,7 +31,7 @@
 #include "plico/workflow/jobs/print_options.h"
 #include "plico/workflow/jobs/read_sheet.h"
 #include "plico/workflow/jobs/session.h"
-#include "plico/workflow/parts_file.h"
+#include "plico/workflow/kit.h"
 #include "plico/workflow/show_proof.h"
 #include "plico/workflow/stack_views.h"
 #include "plico/workflow/stand.h"
@@ -37,13 +40,14 @@ namespace plico::jobs {
 namespace {
 
 constexpr double kProofSeconds = 20;  // for the page's verdict
+constexpr int kMostPictures = 1000;   // of a film: they are in memory together
 
 struct ExportArgs {
   std::string file, trajectory, title, up = "auto";
   double at = 1, seconds = 4, grams_per_square_metre = 160, sheet_thickness_mm = 0.2;
   double azimuth = radians(-35), elevation = radians(28);
   double longest_mm = std::numeric_limits<double>::quiet_NaN();  // of the folded model, in robot models
-  int width = 1200, height = 900;
+  int width = 0, height = 0;                                     // pixels; 0: as many as are usual for the format
   bool transparent = false;
 };
 
@@ -55,7 +59,15 @@ struct LoadedMotion {
   std::string title;
   std::optional<ChainClaim> chain = {};  // of thick squares
   Stand stand = {};                      // of a net that knows its mesh
-  std::vector<Pose> home = {};           // of every panel, of parts that are put together
+  std::vector<Pose> home = {};           // of a folded kit that knows its mesh: each panel to its place in the model
+
+  // How panels are shown at a moment: turned to stand, and, once folded, put together.
+  std::vector<Pose> poses(double time) const {
+    std::vector<Pose> result = folding_map(linkage, path.at(time));
+    for (std::size_t p = 0; p < result.size(); ++p)
+      result[p] = Pose(stand.at(time)) * (time == 1 && !home.empty() ? home[p] * result[p] : result[p]);
+    return result;
+  }
 };
 
 // A chain of thick squares never lies flat; without a motion all there is to show is its shape.
@@ -85,7 +97,7 @@ LoadedMotion read_motion(const ExportArgs& args, Session& session) {
   const Mesh mesh = folded_mesh(file);
   const char up = up_axis(args.up, mesh, session);
   motion.stand = stand_of(file.net, motion.linkage, mesh, up);
-  if (const std::optional<PartsClaim> parts = parts_claim(file); parts && parts->names.size() > 1)
+  if (file.net.num_parts() > 1 && motion.path.at(1).isApprox(goal(motion.linkage)))
     motion.home = standing(assembled(mesh, file.net), up);
   return motion;
 }
@@ -129,15 +141,70 @@ std::string robot_file(const RobotFile& file, Session& session) {
   return file.text;
 }
 
-std::string picture(const LoadedMotion& motion, const ExportArgs& args) {
+PictureOptions picture_options(const ExportArgs& args, int usual_width) {
   PictureOptions options;
-  options.width = args.width;
-  options.height = args.height;
+  options.width = args.width > 0 ? args.width : usual_width;
+  options.height = args.height > 0 ? args.height : 3 * options.width / 4;
   options.transparent = args.transparent;
-  options.turn = motion.stand.at(args.at);
   options.camera.azimuth = args.azimuth;
   options.camera.elevation = args.elevation;
+  return options;
+}
+
+std::string picture(const LoadedMotion& motion, const ExportArgs& args) {
+  PictureOptions options = picture_options(args, 1200);
+  options.turn = motion.stand.at(args.at);
+  if (args.at == 1) options.home = motion.home;
   return render_png(motion.linkage, motion.path.at(args.at), options);
+}
+
+// The panels at a moment of the motion, as they are shown: a net with the vertices of its sheet, a thick chain as
+// solids.
+PolygonSoup surface_at(const LoadedMotion& motion, double time) {
+  const std::vector<Pose> poses = motion.poses(time);
+  PolygonSoup soup;
+  if (!motion.chain) soup.points.resize(motion.file.net.sheet.vertices.size(), Vec3::Zero());
+  for (int p = 0; p < motion.linkage.num_panels(); ++p) {
+    const auto shown = [&](const Vec3& v) -> Vec3 { return poses[p] * v; };
+    if (!motion.chain) {
+      const std::vector<int>& face = motion.file.net.sheet.faces[p];
+      for (std::size_t i = 0; i < face.size(); ++i) soup.points[face[i]] = shown(motion.linkage.panels[p][i]);
+      soup.add_face(face);
+      continue;
+    }
+    const PanelSolid solid = panel_solid(motion.linkage, p);
+    const int first = soup.num_points();
+    for (const Vec3& v : solid.points) soup.points.push_back(shown(v));
+    for (const auto* side : {&solid.front, &solid.back, &solid.walls})
+      for (const auto& [a, b, c] : *side) soup.add_face({first + a, first + b, first + c});
+  }
+  return soup;
+}
+
+// All pictures share one camera, which has room for every moment.
+std::string film(const LoadedMotion& motion, const ExportArgs& args, const Run& run) {
+  constexpr int kMoments = 12;
+  const GifOptions pace;
+  PictureOptions options = picture_options(args, 600);
+  options.transparent = false;
+  for (int i = 0; i <= kMoments; ++i) {
+    const std::vector<Vec3> points = surface_at(motion, double(i) / kMoments).points;
+    options.room.insert(options.room.end(), points.begin(), points.end());
+  }
+  const double wanted = std::ceil(100 * args.seconds / pace.delay);
+  if (wanted > kMostPictures)
+    throw InvalidOption(
+        fmt::format("{:g} s are {:g} pictures, at most {} go into a GIF", args.seconds, wanted, kMostPictures));
+  const int count = std::max(2, static_cast<int>(wanted));
+  std::vector<Picture> pictures;
+  for (int i = 0; i < count; ++i) {
+    const double time = double(i) / (count - 1);
+    options.turn = motion.stand.at(time);
+    if (time == 1) options.home = motion.home;
+    run.report("drawing pictures", i, count);
+    pictures.push_back(render(motion.linkage, motion.path.at(time), options));
+  }
+  return write_gif(pictures, pace);
 }
 
 // As `plico fold` and `plico unfold` note it; empty when nobody did.
@@ -197,13 +264,16 @@ std::string bytes_for(const std::string& path, const LoadedMotion& motion, const
     return robot_file(write_mjcf(motion.linkage, motion.path, robot_options(motion, args, session)), session);
   if (kind == "csv") return write_trajectory_csv(motion.path);
   if (kind == "png") return picture(motion, args);
+  if (kind == "gif") return film(motion, args, session.run());
+  if (const auto mesh = mesh_format_of(path); mesh && *mesh != MeshFormat::Gltf)
+    return write_mesh(surface_at(motion, args.at), *mesh);
   if (kind == "html" || kind == "htm") return page(motion, session);
   if (kind == "svg") return write_svg_pattern(motion.file.net.sheet);
   if (kind == "cp") return write_cp(motion.file.net.sheet);
   if (kind == "fold") return write_fold(motion.file);
   throw InvalidOption(
-      fmt::format("cannot tell what to write from '{}'; the extensions are glb, urdf, xml, csv, png, html, fold, svg, "
-                  "cp, angles.svg",
+      fmt::format("cannot tell what to write from '{}'; the extensions are glb, urdf, xml, csv, png, html, gif, obj, "
+                  "stl, off, ply, fold, svg, cp, angles.svg",
                   path));
 }
 
@@ -231,9 +301,10 @@ int export_file(const ExportArgs& args, Session& session) {
 
 Job export_job() {
   const auto args = std::make_shared<ExportArgs>();
-  return Job("export", "Write a net or a motion as animation, robot model, table, page or picture")
+  return Job("export", "Write a net or a motion as animation, robot model, table, page, picture or mesh")
       .example("plico export bird.fold -o bird.html", "a page with the folding net, opens offline")
       .example("plico export bird.fold -o bird.glb -o bird.png --at 0.5", "an animation, and a picture half way")
+      .example("plico export bird.fold -o bird.gif -o half.obj --at 0.5", "a film, and the shape half way as a mesh")
       .example("plico export bird.fold -o bird.urdf -o bird.xml -o bird.csv", "ROS, MuJoCo, and the angles as a table")
       .example("plico export crane.cp -o crane.fold -o crane.svg",
                "a crease pattern as FOLD, and for Origami Simulator")
@@ -249,9 +320,10 @@ Job export_job() {
               args->title)
       .choice("--up", "axis of the mesh along which pages and pictures let the model stand; sheet: as the net lies",
               args->up, {"auto", "y", "z", "sheet"})
-      .option("--at", "TIME", "moment of a picture: 0 flat, 1 folded", args->at, {0, 1})
-      .option("--picture-width", "PIXELS", "of a picture", args->width, {16, 8192})
-      .option("--picture-height", "PIXELS", "of a picture", args->height, {16, 8192})
+      .option("--at", "TIME", "moment of a picture, or of a mesh: 0 flat, 1 folded", args->at, {0, 1})
+      .option("--picture-width", "PIXELS", "of a picture, at least 16; 0: 1200, of a GIF 600", args->width, {0, 8192})
+      .option("--picture-height", "PIXELS", "of a picture, at least 16; 0: three quarters of its width", args->height,
+              {0, 8192})
       .angle("--azimuth", "camera of a picture, around the sheet", args->azimuth)
       .angle("--elevation", "camera of a picture, above the sheet's plane", args->elevation)
       .flag("--transparent", "a picture without background and shadow", args->transparent)

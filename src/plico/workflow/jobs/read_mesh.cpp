@@ -36,11 +36,15 @@ Mesh read_mesh(const std::string& path, const std::string& repair, Session& sess
   session.report()["repairs"] = repaired.done;
   const CheckReport report = check_mesh(repaired.soup, strict);
   if (report.usable()) return Mesh(std::move(repaired.soup));
-  // In the file as it is the error has a place; after a repair its numbers are no longer those of the file.
-  if (repaired.done.empty()) return to_mesh(std::move(source), strict);
   const Problem& error = report.problems.front();
+  const std::string full = "add --repair full, which may change the shape";
+  // In the file as it is the error has a place; after a repair its numbers are no longer those of the file.
+  if (repaired.done.empty()) {
+    if (repair != "safe" || error.code != "mesh/edge-faces") return to_mesh(std::move(source), strict);
+    throw InvalidInput(error.code, error.message, fmt::format("{}: {}", place_of(source, error), error.where), full);
+  }
   throw InvalidInput(error.code, error.message + ", after what was repaired", error.where,
-                     repair == "safe" ? "add --repair full, which may change the shape" : "plico check " + path);
+                     repair == "safe" ? full : "plico check " + path);
 }
 
 void warn_of_many_faces(const Mesh& mesh, const std::string& path, Session& session) {
