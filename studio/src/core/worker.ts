@@ -1,6 +1,6 @@
 // The worker: Plico's module, one model at a time.
 import createPlico from 'plico-module';
-import type { Calls, Edit, Failure, Reply, Request, Snapshot, Verdict } from './protocol';
+import type { Calls, Edit, Failure, JobDescription, Reply, Request, Snapshot, Verdict } from './protocol';
 
 const refused = (failure: Failure): Error => Object.assign(new Error(failure.message), { failure });
 
@@ -47,6 +47,8 @@ function start(plico: any, report: (phase: string, done: number, total: number, 
     motion: (plan) => parsed(editor.motion(plan, report)),
     fold: (time) => editor.foldedCorners(time),
     project: () => editor.projectBytes(),
+    mesh: () => editor.meshBytes(),
+    jobs: () => JSON.parse(plico.describeJobs()) as JobDescription[],
     net: () => editor.foldBytes(),
     job(name, values, files) {
       const workspace = new plico.Workspace();
