@@ -7,7 +7,6 @@ import { PagesPanel } from './panels/pages_panel';
 import { Session } from './session';
 import { kept } from './store';
 import { byId, bytesOf, colors } from './page';
-import { decoded } from './text91';
 import { SheetView } from './views/sheet_view';
 import { SpaceView } from './views/space_view';
 import type { Shape } from './views/shape';
@@ -20,11 +19,6 @@ declare global {
   interface Window {
     studio: { session: Session; tab: (tab: Tab) => void };
   }
-}
-
-async function inflated(packed: HTMLElement): Promise<ArrayBuffer> {
-  const stream = new Blob([decoded(packed.textContent!.trim(), Number(packed.dataset['bytes']))]).stream().pipeThrough(new DecompressionStream('gzip'));
-  return new Response(stream).arrayBuffer();
 }
 
 class Studio {
@@ -342,8 +336,9 @@ class Studio {
 
 async function start(): Promise<void> {
   try {
-    const wasm = await inflated(byId('wasm'));
-    const studio = new Studio(new Core(byId('worker').textContent!, wasm));
+    const { textContent: text, dataset } = byId('wasm');
+    const packed = { text: text!.trim(), packedBytes: Number(dataset['packed']), bytes: Number(dataset['bytes']) };
+    const studio = new Studio(new Core(byId('worker').textContent!, packed));
     window.studio = { session: studio.session, tab: (tab) => studio.show(tab) };
     await studio.begin();
   } catch (error) {

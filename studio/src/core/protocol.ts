@@ -100,5 +100,15 @@ export interface Progress {
   note: string;
 }
 
+/** The module as the page holds it: LZMA in text91. */
+export interface PackedModule {
+  text: string;
+  packedBytes: number;
+  bytes: number;
+}
+/** What a worker begins with; it unpacks once, and sends the module back for the next worker. */
+export type Begin = { begin: PackedModule | ArrayBuffer };
+export type Unpacked = { module: ArrayBuffer };
+
 export type Request = { id: number; call: keyof Calls; args: unknown[] };
 export type Reply = { id: number } & ({ result: unknown } | { failure: Failure } | { progress: Progress });

@@ -60,7 +60,8 @@ export class SpaceView {
   private radius = 1;
   private azimuth = -0.6;
   private elevation = 0.5;
-  private distance = 1; // times what shows all
+  private distance = 1; // times what shows the sphere around all
+  private chosen = false; // by someone, who wants to keep it
   private queued = false;
   private edge = -1;
 
@@ -70,7 +71,7 @@ export class SpaceView {
   ) {
     this.gl = canvas.getContext('webgl2', { antialias: true, alpha: true });
     if (this.gl) this.prepare(this.gl);
-    new ResizeObserver(() => this.redraw()).observe(canvas);
+    new ResizeObserver(() => (this.chosen ? this.redraw() : this.frame(this.at))).observe(canvas);
     listen(canvas, {
       point: (at) => this.onPoint(at ? this.edgeAt(at.x, at.y) : -1),
       click: (at, event) => {
@@ -111,6 +112,7 @@ export class SpaceView {
 
   place(at: Float32Array): void {
     this.at = at;
+    if (!this.chosen) this.distance *= Math.max(1, this.largest(at) / 0.96); // panels on their way stay in view
     if (this.gl) this.fill(this.buffers.at, at);
     this.redraw();
   }
@@ -127,6 +129,7 @@ export class SpaceView {
 
   /** Shows all of these places, and keeps showing from the same side. */
   frame(at: Float32Array): void {
+    if (!at.length) return;
     const low: Vec = [Infinity, Infinity, Infinity], high: Vec = [-Infinity, -Infinity, -Infinity];
     for (let i = 0; i < at.length; ++i) {
       low[i % 3] = Math.min(low[i % 3]!, at[i]!);
@@ -136,6 +139,7 @@ export class SpaceView {
     this.radius = Math.hypot(...minus(high, low)) / 2 || 1;
     this.distance = 1;
     this.distance = this.largest(at) / 0.9;
+    this.chosen = false;
     this.redraw();
   }
   /** How much of the view the places take, of its half width or height. */
@@ -155,6 +159,7 @@ export class SpaceView {
   }
   zoom(factor: number): void {
     this.distance = Math.max(0.05, Math.min(8, this.distance * factor));
+    this.chosen = true;
     this.redraw();
   }
   redraw(): void {
