@@ -81,6 +81,7 @@ std::string shown_name(const Option& option) {
 std::string full_help(const Option& option) {
   std::string text = option.help;
   if (!option.choices.empty()) text += fmt::format(": {}", fmt::join(option.choices, ", "));
+  if (option.range.is_bounded()) text += fmt::format(", {}", option.range.in_words());
   if (!option.shown_default.empty()) text += fmt::format(" (default {})", option.shown_default);
   if (option.repeatable && !option.is_positional() && !option.is_flag()) text += " (may be repeated)";
   return text;

@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <cstdio>
 #include <iterator>
-#include <new>
 #include <nlohmann/json.hpp>
-#include <system_error>
 
+#include "failure.h"
 #include "help.h"
 #include "parse.h"
 #include "plico/base/error.h"
@@ -21,59 +20,10 @@ namespace plico::cli {
 namespace {
 
 using jobs::did_you_mean;
-using jobs::ExitCode;
-using jobs::kBadInput, jobs::kDone, jobs::kFile, jobs::kInternal, jobs::kMemory, jobs::kUsage;
+using jobs::kDone, jobs::kUsage;
 using jobs::nearest_word;
 using jobs::Session;
 using jobs::SharedOptions;
-
-// A failure as it is told to people and, with --json, to programs.
-struct Failure {
-  ExitCode exit_code = kInternal;
-  std::string code, message, where, suggestion;
-};
-
-Failure failure_of(const Error& error, ExitCode exit_code) {
-  return {exit_code, error.code(), error.what(), error.where(), error.suggestion()};
-}
-
-Failure bug(const std::exception& error) {
-  return {kInternal, "internal/bug", error.what(), {}, "report this with the command line and the input"};
-}
-
-// The exception that is being handled, as a failure.
-Failure current_failure() {
-  try {
-    throw;
-  } catch (const InvalidOption& error) {
-    return failure_of(error, kUsage);
-  } catch (const InvalidInput& error) {
-    return failure_of(error, kBadInput);
-  } catch (const FileError& error) {
-    return failure_of(error, kFile);
-  } catch (const std::bad_alloc&) {
-    return {
-        kMemory, "system/memory", "out of memory", {}, "use a mesh with fewer faces, or a machine with more memory"};
-  } catch (const std::system_error& error) {
-    if (error.code() != std::errc::resource_unavailable_try_again) return bug(error);
-    return {
-        kMemory, "system/threads", "the system gives no more threads", {}, "close other programs, or add --threads 1"};
-  } catch (const std::exception& error) {
-    return bug(error);
-  }
-}
-
-void tell(const Failure& failure, bool json) {
-  std::fprintf(stderr, "plico: %s: %s\n", failure.code.c_str(), failure.message.c_str());
-  if (!failure.where.empty()) std::fprintf(stderr, "  where: %s\n", failure.where.c_str());
-  if (!failure.suggestion.empty()) std::fprintf(stderr, "  try:   %s\n", failure.suggestion.c_str());
-  if (!json) return;
-  const nlohmann::json error = {{"code", failure.code},
-                                {"message", failure.message},
-                                {"where", failure.where},
-                                {"suggestion", failure.suggestion}};
-  std::puts(nlohmann::json({{"error", error}, {"exit_code", failure.exit_code}}).dump().c_str());
-}
 
 int fail(bool json) {
   const Failure failure = current_failure();
@@ -136,7 +86,7 @@ std::string help_for(const std::vector<Job>& commands, std::vector<std::string> 
 
 int run_session(Session& session, const Job& job, Terminal& terminal, const SharedOptions& shared) {
   const int exit_code = job.run(session);
-  terminal.end_progress();
+  terminal.end_work();
   session.finish(exit_code);
   if (shared.json) print(session.report().dump(2) + "\n");
   if (session.worth_repeating()) session.say(session.repeat_command());
@@ -152,9 +102,8 @@ int run_command(const Job& job, const std::vector<std::string>& words) {
     json = shared.json;
     check(shared);
     Terminal terminal(shared);
-    jobs::DiskFiles files;
     const auto tell = [&](const jobs::Message& message) { terminal.tell(message); };
-    Session session(shared, job.name, std::move(given), {files, tell, terminal.run()});
+    Session session(shared, job.name, std::move(given), {terminal.files(), tell, terminal.run()});
     return run_session(session, job, terminal, shared);
   } catch (...) {
     return fail(json);

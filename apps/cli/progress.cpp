@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -17,7 +18,7 @@ void put(const std::string& text) {
 }
 
 // Lets a report through when its phase is new or finished or `interval` has passed; workers may report concurrently.
-class Paced : public Progress {
+class Paced : public ShownProgress {
  public:
   explicit Paced(std::chrono::milliseconds interval) : interval_(interval) {}
 
@@ -26,10 +27,20 @@ class Paced : public Progress {
     const auto now = Run::Clock::now();
     const bool finished = total > 0 && done >= total;
     if (phase == phase_ && !finished && now < next_) return;
+    if (phase != phase_) begun_ = now;
     phase_ = phase;
     next_ = now + interval_;
     show(phase, done, total, note);
   }
+
+ protected:
+  // Of the phase, from how it went so far; empty as long as that says little.
+  std::string remaining(long done, long total) const {
+    const double passed = std::chrono::duration<double>(Run::Clock::now() - begun_).count();
+    if (done <= 0 || done >= total || passed < 2) return "";
+    return fmt::format(", {:.0f} s left", std::ceil(passed * double(total - done) / double(done)));
+  }
+  std::mutex& mutex() { return mutex_; }
 
  private:
   virtual void show(std::string_view phase, long done, long total, std::string_view note) = 0;
@@ -37,7 +48,7 @@ class Paced : public Progress {
   std::chrono::milliseconds interval_;
   std::mutex mutex_;
   std::string phase_;
-  Run::Clock::time_point next_;
+  Run::Clock::time_point next_, begun_;
 };
 
 std::string in_words(std::string_view phase, long done, long total, std::string_view note) {
@@ -49,7 +60,13 @@ std::string in_words(std::string_view phase, long done, long total, std::string_
 class Bar : public Paced {
  public:
   Bar() : Paced(std::chrono::milliseconds(100)) {}
-  ~Bar() override { put("\r\x1b[K"); }
+  ~Bar() override { erase(); }
+
+  void erase() override {
+    const std::lock_guard lock(mutex());
+    if (drawn_) put("\r\x1b[K");
+    drawn_ = false;
+  }
 
  private:
   void show(std::string_view phase, long done, long total, std::string_view note) override {
@@ -60,8 +77,11 @@ class Bar : public Paced {
       bar = fmt::format("[{}{}] ", std::string(filled, '#'), std::string(kWidth - filled, '.'));
     }
     // One terminal line of the usual width: a longer one would scroll instead of being redrawn.
-    put("\r\x1b[K" + (bar + in_words(phase, done, total, note)).substr(0, 79));
+    put("\r\x1b[K" + (bar + in_words(phase, done, total, note) + remaining(done, total)).substr(0, 79));
+    drawn_ = true;
   }
+
+  bool drawn_ = false;
 };
 
 class Plain : public Paced {
@@ -72,6 +92,21 @@ class Plain : public Paced {
   void show(std::string_view phase, long done, long total, std::string_view note) override {
     put(in_words(phase, done, total, note) + "\n");
   }
+};
+
+class Phases : public Paced {
+ public:
+  Phases() : Paced(std::chrono::hours(1)) {}
+
+ private:
+  void show(std::string_view phase, long, long, std::string_view) override {
+    if (phase == last_) return;
+    last_ = phase;
+    put(fmt::format("{:8.2f} s  {}\n", std::chrono::duration<double>(Run::Clock::now() - start_).count(), phase));
+  }
+
+  std::string last_;
+  Run::Clock::time_point start_ = Run::Clock::now();
 };
 
 class Json : public Paced {
@@ -89,9 +124,10 @@ class Json : public Paced {
 
 }  // namespace
 
-std::unique_ptr<Progress> make_progress(const std::string& style) {
+std::unique_ptr<ShownProgress> make_progress(const std::string& style) {
   if (style == "bar" || (style == "auto" && isatty(STDERR_FILENO))) return std::make_unique<Bar>();
   if (style == "plain") return std::make_unique<Plain>();
+  if (style == "phases") return std::make_unique<Phases>();
   if (style == "json") return std::make_unique<Json>();
   return nullptr;
 }

@@ -7,8 +7,15 @@
 
 namespace plico::cli {
 
-// `style` is bar (one line, redrawn), plain (a line now and then), json (one object a line), none, or auto: bar on a
-// terminal, else none. Null for none. The bar erases itself when destroyed.
-std::unique_ptr<Progress> make_progress(const std::string& style);
+// Progress that people see.
+class ShownProgress : public Progress {
+ public:
+  virtual void erase() {}  // what would stand in the way of a line of text
+};
+
+// `style` is bar (one line, redrawn), plain (a line now and then), phases (a line for each phase, with the time it
+// began at), json (one object a line), none, or auto: bar on a terminal, else none. Null for none. The bar erases
+// itself when destroyed.
+std::unique_ptr<ShownProgress> make_progress(const std::string& style);
 
 }  // namespace plico::cli

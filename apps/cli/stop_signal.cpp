@@ -4,15 +4,40 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
+#include <ctime>
 
 namespace plico::cli {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using Clock = Run::Clock;
+using std::chrono::duration;
 
 // timeout(1) and terminals signal the process and its whole group: one wish to stop may arrive twice.
 constexpr std::chrono::milliseconds kEcho(200);
+
+// The build for sanitizers runs twenty times slower; it looks for other faults than slowness.
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define PLICO_SANITIZED 1
+#endif
+#endif
+#ifdef PLICO_SANITIZED
+constexpr double kSlowness = 30;
+#else
+constexpr double kSlowness = 1;
+#endif
+constexpr double kGrace = 0.9 * kSlowness;  // seconds, so that the program has ended within one
+constexpr double kLongest = 8 * kSlowness;  // where others have the processor
+constexpr double kIdle = 1e-3;              // seconds of work during the grace: it waits for something, such as input
+constexpr std::chrono::milliseconds kTick(20);
+
+double processor_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
 
 sigset_t stopping_signals() {
   sigset_t set;
@@ -24,31 +49,71 @@ sigset_t stopping_signals() {
 
 }  // namespace
 
-StopSignal::StopSignal() {
+// A second of an idle computer: on a loaded one the work gets as much time of the processor as it would have had.
+class StopSignal::Grace {
+ public:
+  explicit Grace(jobs::ExitCode because) : because_(because) {}
+
+  jobs::ExitCode because() const { return because_; }
+  bool is_over() const {
+    const double passed = duration<double>(Clock::now() - begin_).count(), worked = processor_seconds() - worked_;
+    return passed > kGrace && (worked > kGrace || worked < kIdle || passed > kLongest);
+  }
+
+ private:
+  jobs::ExitCode because_;
+  Clock::time_point begin_ = Clock::now();
+  double worked_ = processor_seconds();
+};
+
+StopSignal::StopSignal(double time_limit, std::function<void(jobs::ExitCode)> give_up) : give_up_(std::move(give_up)) {
+  if (time_limit > 0)
+    limit_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(duration<double>(std::min(time_limit, 1e9)));
   // A thread that waits for signals may take locks, which a signal handler must not.
   const sigset_t set = stopping_signals();
   pthread_sigmask(SIG_BLOCK, &set, nullptr);
-  waiter_ = std::thread([this] { wait_for_signals(); });
+  watcher_ = std::thread([this] { watch(); });
 }
 
 StopSignal::~StopSignal() {
   closing_ = true;
-  pthread_kill(waiter_.native_handle(), SIGTERM);  // wakes the waiter
-  waiter_.join();
+  pthread_kill(watcher_.native_handle(), SIGTERM);  // wakes the watcher
+  watcher_.join();
 }
 
-void StopSignal::wait_for_signals() {
+void StopSignal::let_end() {
+  State working = State::Working;
+  if (state_.compare_exchange_strong(working, State::Ending) || working == State::Ending) return;
+  for (;;) pause();  // given up: the program is about to end, and nothing more may be written
+}
+
+void StopSignal::watch() {
   const sigset_t set = stopping_signals();
-  Clock::time_point asked{};
-  for (int signal = 0; sigwait(&set, &signal) == 0;) {
+  const timespec tick{0, std::chrono::nanoseconds(kTick).count()};
+  while (!closing_) {
+    const bool on_the_clock = limit_ || grace_;
+    const int signal = sigtimedwait(&set, nullptr, on_the_clock ? &tick : nullptr);
     if (closing_) return;
-    if (!source_.stop_requested()) {
-      asked = Clock::now();
-      source_.request_stop();
-    } else if (Clock::now() - asked > kEcho) {
-      _exit(130);
-    }
+    if (signal > 0) take(signal);
+    look_at_the_clock();
   }
+}
+
+void StopSignal::take(int) {
+  if (source_.stop_requested()) {
+    if (Clock::now() - asked_ > kEcho) _exit(jobs::kInterrupted);
+    return;
+  }
+  asked_ = Clock::now();
+  source_.request_stop();
+  grace_ = std::make_unique<Grace>(jobs::kInterrupted);
+}
+
+void StopSignal::look_at_the_clock() {
+  if (!grace_ && limit_ && Clock::now() > *limit_) grace_ = std::make_unique<Grace>(jobs::kTimeLimit);
+  if (!grace_ || !give_up_ || !grace_->is_over()) return;
+  State working = State::Working;
+  if (state_.compare_exchange_strong(working, State::GivenUp)) give_up_(grace_->because());
 }
 
 }  // namespace plico::cli

@@ -13,8 +13,8 @@ namespace {
 
 using nlohmann::json;
 
-const std::vector<std::string> kColumns{"model",    "squares",   "found",     "of",      "voxelize s",
-                                        "median s", "slowest s", "us/square", "[Xi17] s"};
+const std::vector<std::string> kCycleColumns{"model",    "squares",   "found",     "of",      "voxelize s",
+                                             "median s", "slowest s", "us/square", "[Xi17] s"};
 
 // One search a seed; every cycle is judged.
 Table::Row row(const std::string& model, const PolygonSoup& soup, const Resolution& resolution, int seeds,
@@ -42,7 +42,7 @@ Table sizes_of_table_6_1() {
     double dissertation;
     const char* model;
   };
-  Table table("Sizes of table 6.1, own models", kColumns);
+  Table table("Sizes of table 6.1, own models", kCycleColumns);
   for (const Size& size : {Size{32, 0.01, "torus"}, Size{462, 0.59, "bird"}, Size{1964, 3.68, "dog"},
                            Size{2206, 2.50, "dinosaur"}, Size{4396, 5.41, "fish"}})
     table.row(row(size.model, make_shape(size.model), {.squares = size.squares}, 10, size.dissertation));
@@ -50,14 +50,14 @@ Table sizes_of_table_6_1() {
 }
 
 Table growth(bool quick) {
-  Table table("Growth", kColumns);
+  Table table("Growth", kCycleColumns);
   for (double cells : quick ? std::vector<double>{100} : std::vector<double>{30, 100, 300, 1000})
     table.row(row("dinosaur", make_shape("dinosaur"), {.cells = cells}, 3));
   return table;
 }
 
 Table meshes(const std::string& folder) {
-  Table table("Meshes, 60 cells", kColumns);
+  Table table("Meshes, 60 cells", kCycleColumns);
   for (const auto& path : mesh_files(folder))
     table.row(row(path.stem().string(), read_mesh_file(path.string()).soup, {.cells = 60}, 10));
   return table;

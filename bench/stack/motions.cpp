@@ -9,8 +9,8 @@
 namespace plico::bench {
 namespace {
 
-const std::vector<std::string> kColumns{"model", "panels", "t",      "layers", "ideal",
-                                        "share", "chains", "proven", "plan s", "proof s"};
+const std::vector<std::string> kMotionColumns{"model", "panels", "t",      "layers", "ideal",
+                                              "share", "chains", "proven", "plan s", "proof s"};
 
 Table::Row row(const std::string& model, const PolygonSoup& soup, int squares, double thickness, double limit) {
   const VoxelMesh voxels = voxel_mesh(soup, {.squares = squares});
@@ -40,7 +40,7 @@ Table::Row row(const std::string& model, const PolygonSoup& soup, int squares, d
 }  // namespace
 
 Table motions(const std::string& folder, bool quick) {
-  Table table("From the stack to the shape, about 200 squares", kColumns);
+  Table table("From the stack to the shape, about 200 squares", kMotionColumns);
   const double limit = quick ? 10 : 60;
   for (double thickness : {0.001, 0.01, 0.05, 0.1, 0.2}) {
     for (const char* model : {"bird", "fish", "dinosaur"})

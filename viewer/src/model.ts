@@ -12,6 +12,8 @@ export interface PageData {
   parentPanel: number[];
   parentHinge: number[];
   seams: [number, number, number, number][]; // panel, side, panel, side
+  sideIds: string[][]; // of each side of each panel, as printed; empty when there are no pages
+  partOf: string[]; // the letter of each panel's part on the pages; empty when there are none
   keys: { times: number[]; angles: number[] }[]; // of each hinge, radians; linear in between
   motion: string;
   start: number; // the moment shown first, in [0, 1]
@@ -179,6 +181,15 @@ export class Model {
       }
     }
     return sides.sort((a, b) => a - b)[sides.length >> 1]!;
+  }
+
+  // What the sides of a panel are glued to: the id on paper, and the panel.
+  seamsOf(panel: number): { id: string; other: number }[] {
+    const id = (p: number, side: number): string => this.data.sideIds[p]?.[side] ?? '';
+    return this.data.seams.flatMap(([a, i, b, j]) => [
+      ...(a === panel ? [{ id: id(a, i), other: b }] : []),
+      ...(b === panel ? [{ id: id(b, j), other: a }] : []),
+    ]);
   }
 
   gluedTo(panel: number): number[] {

@@ -6,6 +6,7 @@ const round = (x: number): number => Number(x.toPrecision(7));
 
 export class NetView {
   private readonly shapes: SVGPolygonElement[] = [];
+  private readonly ids: SVGGElement[] = [];
 
   constructor(
     private readonly model: Model,
@@ -25,6 +26,7 @@ export class NetView {
       this.shapes.push(shape);
     });
     for (const kind of ['flat', 'valley', 'mountain'] as const) svg.appendChild(this.creases(kind));
+    model.data.sideIds.forEach((_, p) => this.ids.push(svg.appendChild(this.idsOf(p))));
     const panelOf = (event: Event): number => Number((event.target as SVGElement).dataset?.['panel'] ?? -1);
     svg.addEventListener('pointermove', (event) => onHover(panelOf(event)));
     svg.addEventListener('pointerleave', () => onHover(-1));
@@ -39,6 +41,29 @@ export class NetView {
       const wanted = marks.filter(Boolean).join(' ');
       if ((shape.getAttribute('class') ?? '') !== wanted) shape.setAttribute('class', wanted);
     });
+    this.ids.forEach((group, p) => {
+      const wanted = p === hovered || p === selected || mates.has(p) ? 'ids shown' : 'ids';
+      if (group.getAttribute('class') !== wanted) group.setAttribute('class', wanted);
+    });
+  }
+
+  // The ids at the sides of a panel, as on paper; shown while it is pointed at.
+  private idsOf(panel: number): SVGGElement {
+    const group = document.createElementNS(kSvg, 'g');
+    group.setAttribute('class', 'ids');
+    const outline = this.model.data.panels[panel]!;
+    const at = (i: number): [number, number] => [outline[(2 * i) % outline.length]!, outline[(2 * i + 1) % outline.length]!];
+    this.model.data.sideIds[panel]!.forEach((id, side) => {
+      if (!id) return;
+      const [x, y] = at(side);
+      const [u, v] = at(side + 1);
+      const text = group.appendChild(document.createElementNS(kSvg, 'text'));
+      text.setAttribute('x', String(round((x + u) / 2)));
+      text.setAttribute('y', String(round(-(y + v) / 2)));
+      text.setAttribute('font-size', String(round(0.3 * this.model.typicalSide())));
+      text.textContent = id;
+    });
+    return group;
   }
 
   private creases(kind: Kind): SVGPathElement {

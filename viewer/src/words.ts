@@ -22,8 +22,10 @@ export function panelDetails(model: Model, panel: number, time: number): string 
     const now = degrees(angleAt(model.data.keys[h]!, time));
     return `${kindOf(hinge.target)} to panel ${other}: ${now.toFixed(1)}° of ${degrees(hinge.target).toFixed(1)}°`;
   });
-  const glued = model.gluedTo(panel);
-  return [`Panel ${panel}`, ...folds, ...(glued.length ? [`glued to ${glued.join(', ')}`] : [])].join(' · ');
+  const glued = model.seamsOf(panel).map(({ id, other }) => (id ? `${id} to panel ${other}` : `to ${other}`));
+  const part = model.data.partOf[panel];
+  const name = part ? `Panel ${panel} of part ${part}` : `Panel ${panel}`;
+  return [name, ...folds, ...(glued.length ? [`glued ${glued.join(', ')}`] : [])].join(' · ');
 }
 
 // Nested objects become dotted names; short lists stay on one line.

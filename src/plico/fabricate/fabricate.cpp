@@ -322,8 +322,9 @@ LayoutResult lay_out_pages(const Unfolding& model_net, const FoldedShape& shape,
   add_marks(layout, sides, outlines, options.marks);
   run.report("writing labels", 0);
   report.joints_unnamed = write_joints(layout, options.joints, net.part, placed.placements, Font());
-  report.labels =
-      add_labels(layout, seam_names(sides, outlines, report.tabs, titles, options.seams), Font(), options.labels);
+  report.edge_ids = seam_names(sides, outlines, report.tabs, titles, options.seams);
+  for (const int part : net.part) report.part_of_panel.push_back(titles[part].id);
+  report.labels = add_labels(layout, report.edge_ids, Font(), options.labels);
   draw_joints(layout, options.joints, net.part, placed.placements);
   report.pages = static_cast<int>(layout.pages.size());
   report.parts = static_cast<int>(layout.parts.size());

@@ -43,6 +43,9 @@ struct LayoutReport {
   LabelReport labels;
   int joints_unnamed = 0;  // facets to glue that are too small for their text
   int pages_without_ruler = 0;
+  // As printed: of each edge of the net, "" for none; and the letter of the part that each panel is printed in. Edges
+  // that splitting made follow after those of the net.
+  std::vector<std::string> edge_ids, part_of_panel;
 };
 
 struct LayoutResult {

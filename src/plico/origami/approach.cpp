@@ -121,7 +121,7 @@ class Approach {
   // The foldable configuration near `guess` if it may follow `from`.
   std::optional<Configuration> frame(ContinuationResult& result, const Configuration& from, const Configuration& guess,
                                      double most) {
-    Projection found = projector_.project(guess, projection_);
+    Projection found = projector_.project(guess, projection_, run_);
     result.steps += found.steps;
     if (found.closure.worst > std::max(kThere, options_.tolerance) ||
         (found.config - from).cwiseAbs().maxCoeff() > most)

@@ -11,6 +11,7 @@ namespace plico {
 namespace {
 
 constexpr double kSignTolerance = 1e-7;  // radians: noise of a crease that is flat at the moment
+constexpr double kOvershoot = 10;        // times what a goal may turn: a search that strays farther will not come back
 constexpr double kGoalTolerance = 1e-9;  // radians: residual of a goal that closes
 
 void check(const ContinuationOptions& o) {
@@ -147,7 +148,9 @@ class Continuation {
     goal_ = clamped;
     const Closure at_goal = closure(projector_.vertices(), goal_);
     if (at_goal.worst <= kGoalTolerance) return true;
-    const Projection near = projector_.project(goal_, projection_);
+    ProjectOptions projection = projection_;
+    if (!is_clamped) projection.most_turn = kOvershoot * (options_.goal_slack + kGoalTolerance);
+    const Projection near = projector_.project(goal_, projection, run_);
     result.steps += near.steps;
     const double move = (near.config - goal_).cwiseAbs().maxCoeff();
     if (near.closure.worst <= kGoalTolerance && (is_clamped || move <= options_.goal_slack)) {
@@ -232,7 +235,7 @@ class Continuation {
     frame.guess = straight;
     ProjectOptions projection = projection_;
     if (guess == goal_) projection.tolerance = std::max(projection.tolerance, kGoalTolerance);  // it closes already
-    frame.projection = projector_.project(guess, projection);
+    frame.projection = projector_.project(guess, projection, run_);
     result.steps += frame.projection.steps;
     const Configuration& to = frame.projection.config;
     int farthest = -1;

@@ -20,13 +20,13 @@ Projection relax(Projector& projector, const Configuration& target, ProjectOptio
   for (double stiffness = 1; stiffness > softest && !run.over(); stiffness /= 2) {
     options.damping = stiffness;
     for (int i = 0; i < kStepsEach; ++i) {
-      at = projector.project(at, options).config;
+      at = projector.project(at, options, run).config;
       at += projector.tangent(at, target - at, options);
     }
   }
   options.damping = end;
   options.max_steps = 100;
-  return projector.project(at, options);
+  return projector.project(at, options, run);
 }
 
 Linkage with_flat_goal(Linkage linkage) {

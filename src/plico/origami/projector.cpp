@@ -41,6 +41,7 @@ void check(const ProjectOptions& o) {
   require(o.tolerance > 0, "tolerance", o.tolerance, "above 0");
   require(o.max_step > 0, "max step", o.max_step, "above 0");
   require(o.damping > 0, "damping", o.damping, "above 0");
+  require(o.most_turn > 0, "most turn", o.most_turn, "above 0");
   if (o.weight.size() > 0) require(o.weight.minCoeff() > 0, "weight", o.weight.minCoeff(), "above 0");
 }
 
@@ -224,7 +225,7 @@ Projector& Projector::operator=(Projector&&) noexcept = default;
 const std::vector<RealVertex>& Projector::vertices() const { return equations_->loops(); }
 int Projector::num_creases() const { return equations_->num_creases(); }
 
-Projection Projector::project(const Configuration& start, const ProjectOptions& options) {
+Projection Projector::project(const Configuration& start, const ProjectOptions& options, const Run& run) {
   check(options);
   if (start.size() != num_creases())
     throw InvalidInput("origami/too-few-angles",
@@ -234,7 +235,8 @@ Projection Projector::project(const Configuration& start, const ProjectOptions& 
   Projection result;
   result.config = limits.clamp(start);
   double size = equations_->squared_residual(result.config);
-  while (equations_->worst_residual() > options.tolerance && result.steps < options.max_steps) {
+  const Configuration begun = result.config;
+  while (equations_->worst_residual() > options.tolerance && result.steps < options.max_steps && !run.over()) {
     Configuration direction = solve_within(
         *equations_, limits, result.config, damping, [&](const std::vector<char>&) { return equations_->gradient(); },
         [](const Configuration& x) { return Configuration(-x); });
@@ -251,8 +253,7 @@ Projection Projector::project(const Configuration& start, const ProjectOptions& 
         size = next_size;
       }
     }
-    if (smaller) continue;
-    break;
+    if (!smaller || (result.config - begun).cwiseAbs().maxCoeff() > options.most_turn) break;
   }
   result.closure = closure(vertices(), result.config);
   result.closed = result.closure.worst <= options.tolerance;

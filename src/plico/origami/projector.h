@@ -1,8 +1,10 @@
 // The foldable configuration near a given one.
 #pragma once
+#include <limits>
 #include <memory>
 #include <vector>
 
+#include "plico/base/run.h"
 #include "plico/origami/closure.h"
 
 namespace plico {
@@ -12,6 +14,7 @@ struct ProjectOptions {
   double max_step = 0.3;     // radians a fold angle may move in one step; above 0
   double damping = 1e-9;     // added to the diagonal of J^T J; above 0
   int max_steps = 60;
+  double most_turn = std::numeric_limits<double>::infinity();  // radians from the start; farther ends the search
   // Limits of each fold angle, radians, or empty for [-pi, pi]. A crease with low = high is held there.
   Configuration low = {}, high = {};
   // How dear a turn of each crease is, above 0, or empty for 1: "nearest" is least in the sum of weight * turn^2.
@@ -43,9 +46,9 @@ class Projector {
   const std::vector<RealVertex>& vertices() const;
   int num_creases() const;
 
-  // One numeric factorization a step. `start` outside the limits is clamped first. Throws InvalidInput when sizes
-  // differ.
-  Projection project(const Configuration& start, const ProjectOptions& options = {});
+  // One numeric factorization a step. `start` outside the limits is clamped first. A run that is over ends the search
+  // between two steps, not closed. Throws InvalidInput when sizes differ.
+  Projection project(const Configuration& start, const ProjectOptions& options = {}, const Run& run = {});
 
   // The part of `direction` that keeps every loop closed to first order at `at`; limits hold creases as in `project`.
   Configuration tangent(const Configuration& at, const Configuration& direction, const ProjectOptions& options = {});

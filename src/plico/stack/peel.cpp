@@ -1,18 +1,15 @@
 #include "plico/stack/peel.h"
 
 #include <algorithm>
+#include <memory>
+#include <optional>
+#include <utility>
 
 #include "plico/base/error.h"
-#include "plico/stack/peel_grid.h"
-#include "plico/stack/peel_step.h"
+#include "plico/stack/peel_level.h"
 
 namespace plico {
 namespace {
-
-// Where the search stands: `first` is the next hinge to open, `option` the next way to try.
-struct Stand {
-  int first = 0, option = 0;
-};
 
 class PeelSearch {
  public:
@@ -21,61 +18,72 @@ class PeelSearch {
         options_(options),
         run_(run),
         hinges_(chain.num_hinges()),
-        left_(options.nodes),
-        seen_(chain.num_hinges() + 1, 0) {}
+        levels_(chain.num_hinges()) {
+    effort_.nodes = nodes_at_best_ = options.nodes;
+  }
 
   Peel run() {
-    std::vector<Stand> stands{{}};
-    while (!stands.empty() && !run_.over()) {
-      const int first = stands.back().first;
-      keep(first);
-      if (first == hinges_) break;
-      if (stands.back().option == 2 * options_.widest) {
-        stands.pop_back();
-        if (!steps_.empty()) steps_.pop_back();
+    enter(0, {});
+    while (static_cast<int>(steps_.size()) < hinges_ && !is_given_up()) {
+      const int first = static_cast<int>(steps_.size());
+      const std::vector<OpenAngles> way = levels_[first]->next_way(effort_, run_);
+      if (way.empty()) {
+        if (first == 0) break;
+        steps_.pop_back();
         continue;
       }
-      const int option = stands.back().option++;
-      const int count = 1 + option % options_.widest;
-      if (first + count > hinges_ || seen_[first + count]) continue;
-      if (!open(first, count, option >= options_.widest)) continue;
-      seen_[first + count] = 1;
-      stands.push_back({first + count, 0});
+      if (!enter(first + 1, way.back())) continue;
+      steps_.push_back(step(first, way));
+      keep();
     }
-    result_.nodes = options_.nodes - left_;
+    result_.whole = result_.opened == hinges_;
+    result_.nodes = options_.nodes - effort_.nodes;
+    result_.intervals = effort_.intervals;
     return std::move(result_);
   }
 
  private:
-  bool open(int first, int count, bool on_grid) {
-    const PeelWindow window(bodies_, first, count);
-    std::vector<Angles3> way;
-    if (!on_grid) {
-      if (window.free_between(window.start(), window.end(), result_.intervals)) way = {window.start(), window.end()};
-    } else if (count > 1) {  // one hinge has no other way
-      way = find_on_grid(window, left_, result_.intervals, run_);
+  int width(int first) const { return std::min(options_.widest, hinges_ - first); }
+
+  // The window moves on by one hinge: `before` are the angles at its last place, empty at the first.
+  bool enter(int first, const std::optional<OpenAngles>& before) {
+    if (first == hinges_) return true;
+    OpenAngles angles{};
+    for (int i = 0; i < width(first); ++i) {
+      const bool was_open = before && i + 1 < width(first - 1);
+      angles[i] = was_open ? (*before)[i + 1] : bodies_.pile_angle(first + i);
     }
-    if (way.empty()) return false;
-    PeelStep& step = steps_.emplace_back();
-    step.first = first;
-    for (const Angles3& angles : way) step.angles.push_back(Eigen::Map<const Eigen::VectorXd>(angles.data(), count));
-    return true;
+    if (!levels_[first]) levels_[first] = std::make_unique<PeelLevel>(bodies_, first, width(first), options_.step);
+    return levels_[first]->enter(angles);
+  }
+
+  PeelStep step(int first, const std::vector<OpenAngles>& way) const {
+    PeelStep step{first, {}};
+    for (const OpenAngles& angles : way)
+      step.angles.push_back(Eigen::Map<const Eigen::VectorXd>(angles.data(), width(first)));
+    return step;
+  }
+
+  bool is_given_up() const {
+    return effort_.nodes <= 0 || nodes_at_best_ - effort_.nodes > options_.patience || run_.over();
   }
 
   // The longest prefix so far.
-  void keep(int opened) {
-    if (opened < result_.opened) return;
+  void keep() {
+    const int opened = static_cast<int>(steps_.size());
+    if (opened <= result_.opened) return;
+    nodes_at_best_ = effort_.nodes;
     result_.opened = opened;
     result_.steps = steps_;
-    result_.whole = opened == hinges_;
   }
 
   const PeelBodies bodies_;
   const PeelOptions& options_;
   const Run& run_;
   const int hinges_;
-  long left_;
-  std::vector<char> seen_;
+  PeelEffort effort_;
+  long nodes_at_best_ = 0;                          // left when the longest prefix grew
+  std::vector<std::unique_ptr<PeelLevel>> levels_;  // of those that were entered
   std::vector<PeelStep> steps_;
   Peel result_;
 };
@@ -84,8 +92,10 @@ class PeelSearch {
 
 Peel peel(const Linkage& chain, int sign, const PeelOptions& options, const Run& run) {
   require(options.air > 0 && options.air < 0.5, "air", options.air, "in (0, 0.5)");
-  require(options.widest >= 1 && options.widest <= 3, "widest", options.widest, "1, 2 or 3");
+  require(options.widest >= 1 && options.widest <= kMostOpen, "widest", options.widest, "1 to 4");
+  require(options.step >= 1 && 90 % options.step == 0, "step", options.step, "a divisor of 90");
   require(options.nodes >= 0, "nodes", options.nodes, "at least 0");
+  require(options.patience >= 1, "patience", options.patience, "at least 1");
   return PeelSearch(chain, sign, options, run).run();
 }
 

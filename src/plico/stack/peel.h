@@ -1,8 +1,8 @@
-// A pile of thick squares unrolled straight into the shape: panels 0 .. k stand in the shape, the rest is one rigid
-// tower on panel k, and a step opens the next one to three hinges from +-180 degrees to their angles in the shape.
-// Steps are searched depth first, straight in the angles or on a grid of them, and every one is proven free at every
-// moment before it is taken: samples lie (of 1,517 steps accepted 7.5 degrees apart 127 collided in between). Ours;
-// [Xi17] leaves the motion of thick chains open.
+// A pile of thick squares unrolled straight into the shape: panels 0 .. k stand in the shape, the next one to four
+// hinges are open in between, the rest is one rigid tower at the end of that arm. So the tower need not stand upon
+// panel k: the arm holds it where there is room, and brings the next panel to its place. Searched depth first over k,
+// and on a grid of the open angles; every piece is proven free at every moment before it is taken: samples lie (of
+// 1,517 steps accepted 7.5 degrees apart 127 collided in between). Ours; [Xi17] leaves the motion of thick chains open.
 #pragma once
 #include <vector>
 
@@ -12,12 +12,15 @@
 namespace plico {
 
 struct PeelOptions {
-  double air = 0.01;    // each face of a panel moves inwards by this share of its thickness, in (0, 0.5)
-  int widest = 3;       // hinges that a step may open together, 1 to 3
-  long nodes = 100000;  // of grids, looked at in the whole search, at least 0
+  double air = 0.01;     // each face of a panel moves inwards by this share of its thickness, in (0, 0.5)
+  int widest = 3;        // hinges that may be open at a time, 1 to 4
+  int step = 30;         // degrees between angles, a divisor of 90
+  long nodes = 1000000;  // states looked at in the whole search, at least 0
+  long patience = 3000;  // and since the longest prefix grew, at least 1: another chain is tried sooner than all ways
 };
 
-// One step: what the hinges first, first + 1 ... go through, one row a state; the first row is the pile's.
+// One step: hinge `first` comes to its angle in the shape. One row a state: of the hinges first, first + 1 ...; the
+// first row is where the step before left them. All others beyond are as in the pile.
 struct PeelStep {
   int first = 0;
   std::vector<Eigen::VectorXd> angles;  // radians

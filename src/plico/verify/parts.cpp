@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -25,7 +26,9 @@ class PartsCheck {
       check_connected();
       if (sizes) check_pieces();
       if (sizes && verdict_.net.valid()) check_seams();
+      check_joints();
     }
+    check_order();
     return std::move(verdict_);
   }
 
@@ -75,9 +78,59 @@ class PartsCheck {
             if (!reached[mesh_.face(g)]) reached[mesh_.face(g)] = 1, queue.push_back(mesh_.face(g));
       if (done != claim_.faces[p].size())
         defect("parts/connected", fmt::format("part {} is not connected: {} of its {} faces hang together",
-                                              claim_.names.size() > p ? claim_.names[p] : std::to_string(p), done,
-                                              claim_.faces[p].size()));
+                                              name(static_cast<int>(p)), done, claim_.faces[p].size()));
     }
+  }
+
+  // The steps of all parts are 1, 2, ... in some order.
+  void check_order() {
+    if (claim_.steps.empty()) return;
+    const int parts = static_cast<int>(claim_.names.size());
+    std::vector<int> at(parts + 1, -1);
+    for (int p = 0; p < static_cast<int>(claim_.steps.size()); ++p) {
+      const int step = claim_.steps[p];
+      if (step < 1 || step > parts)
+        defect("parts/order", fmt::format("part {} is step {} of {}", name(p), step, parts));
+      else if (at[step] >= 0)
+        defect("parts/order", fmt::format("parts {} and {} are both step {}", name(at[step]), name(p), step));
+      else
+        at[step] = p;
+    }
+  }
+
+  void check_joints() {
+    for (Defect& found : verify_joints(mesh_, claim_.joints)) defect(found.code, std::move(found.message));
+    verdict_.joints = static_cast<int>(claim_.joints.size());
+    for (std::size_t j = 0; j < claim_.joints.size(); ++j) {
+      const JointClaim& joint = claim_.joints[j];
+      check_side(j + 1, joint.first_face, joint.first);
+      check_side(j + 1, joint.second_face, joint.second);
+      if (joint.first >= 0 && joint.first == joint.second)
+        defect("joint/part", fmt::format("joint {} glues part {} to itself", j + 1, name(joint.first)));
+    }
+  }
+
+  void check_side(std::size_t joint, int face, int part) {
+    if (part < 0 || face < 0 || face >= mesh_.num_faces() || part_[face] == part) return;
+    defect("joint/part", fmt::format("joint {} says that face {} is of part {}, it is of {}", joint, face, name(part),
+                                     name(part_[face])));
+  }
+
+  // For messages.
+  std::string name(int part) const {
+    return part < static_cast<int>(claim_.names.size()) ? claim_.names[part] : std::to_string(part);
+  }
+
+  // A piece is called "head", or "head.2" when it is one of several.
+  void check_alone(int part, int nth, int piece) {
+    if (piece >= static_cast<int>(claim_.alone.size())) return;
+    const PartsClaim::Piece& alone = claim_.alone[piece];
+    const std::string wanted = claim_.pieces[part].size() == 1 ? name(part) : fmt::format("{}.{}", name(part), nth + 1);
+    if (alone.title != wanted)
+      defect("parts/title", fmt::format("piece {} is called {}, but is {}", piece, alone.title, wanted));
+    const bool said = part < static_cast<int>(claim_.folds.size()) && claim_.folds[part];
+    if (said && !alone.moves && std::ranges::count(net_.part, piece) > 1)
+      defect("parts/motion", fmt::format("part {} is said to fold, but {} has no motion", name(part), wanted));
   }
 
   void check_pieces() {
@@ -92,7 +145,11 @@ class PartsCheck {
     for (int f = 0; f < net_.sheet.num_faces(); ++f)
       if (const int g = net_.mesh_face[f]; g < 0 || g >= mesh_.num_faces() || owner[net_.part[f]] != part_[g])
         defect("parts/pieces", fmt::format("panel {} lies in a piece of another part", f));
-    for (const std::vector<int>& pieces : claim_.pieces) verdict_.in_one_piece += pieces.size() == 1;
+    for (std::size_t p = 0; p < claim_.pieces.size(); ++p) {
+      const std::vector<int>& pieces = claim_.pieces[p];
+      verdict_.in_one_piece += pieces.size() == 1;
+      for (std::size_t i = 0; i < pieces.size(); ++i) check_alone(static_cast<int>(p), static_cast<int>(i), pieces[i]);
+    }
   }
 
   // Which part each copy of a seam edge belongs to is asked of the panels, not of the mesh edges the file names.
@@ -118,6 +175,13 @@ class PartsCheck {
       if (claim_.seam[e] > 0) edges_of[claim_.seam[e]].push_back(e);
       if (seam && e < mate) count_seam(e, mate);
     }
+    int between = 0;
+    for (EdgeId e : mesh_.edges())
+      if (const HalfedgeId h = mesh_.halfedge(e), g = mesh_.twin(h); h.valid() && g.valid())
+        between += part_[mesh_.face(h)] != part_[mesh_.face(g)];
+    if (between != verdict_.seam_edges)
+      defect("parts/seam",
+             fmt::format("{} edges of the mesh lie between parts, {} are glued", between, verdict_.seam_edges));
     for (const auto& [number, edges] : edges_of)
       if (edges.size() != 2 || net_.mate.empty() || net_.mate[edges[0]] != edges[1])
         defect("parts/seam", fmt::format("seam {} is not on two edges that are glued together", number));

@@ -54,6 +54,7 @@ class Proof {
     motion_.place(0, {}, start);
     motion_.place(1, {}, end);
     all_pairs(0, 1, start, end, 0);
+    if (proof_.verdict == PathVerdict::Free) proof_.free_until = 1;
     return proof_;
   }
 
@@ -68,7 +69,8 @@ class Proof {
 
   bool done() {
     if (proof_.verdict != PathVerdict::Free) return true;
-    if (!run_.over()) return false;
+    const long looks = proof_.pair_intervals + proof_.intervals * static_cast<long>(boxes_.size());
+    if (!run_.over() && (options_.max_looks == 0 || looks < options_.max_looks)) return false;
     proof_.interrupted = true;
     return true;
   }
@@ -272,7 +274,7 @@ class Proof {
 
   void give_up(const PlatePair& pair, double start, double end) {
     proof_.verdict = PathVerdict::Undecided;
-    proof_.from = start;
+    proof_.from = proof_.free_until = start;
     proof_.to = end;
     name_panels(pair);
   }
@@ -280,7 +282,7 @@ class Proof {
   void interrupt(double start) {
     if (!proof_.interrupted || proof_.verdict != PathVerdict::Free) return;
     proof_.verdict = PathVerdict::Undecided;
-    proof_.from = start;
+    proof_.from = proof_.free_until = start;
     proof_.to = 1;
   }
 
@@ -294,6 +296,7 @@ class Proof {
   // The collision is certain in the middle; narrows down when it began by halving the time before.
   void collide(const PlatePair& pair, double start, double end, double depth_on_chord) {
     proof_.verdict = PathVerdict::Collides;
+    proof_.free_until = start;  // time is looked at from its beginning
     name_panels(pair);
     double clear = start, inside = start + (end - start) / 2;
     proof_.depth = std::max(depth_at(pair, inside), depth_on_chord);
@@ -333,6 +336,7 @@ void check(const PathProofOptions& options) {
   };
   length(options.clearance, "clearance");
   length(options.touch, "touch");
+  if (options.max_looks < 0) throw InvalidOption(fmt::format("max_looks = {} must be at least 0", options.max_looks));
   if (!(options.closing > 0)) throw InvalidOption(fmt::format("closing = {} must be above 0", options.closing));
   if (!(options.resolution > 0) || options.resolution > 1)
     throw InvalidOption(fmt::format("resolution = {} must be in (0, 1]", options.resolution));

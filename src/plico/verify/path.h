@@ -26,6 +26,7 @@ struct PathProofOptions {
                              // at least their gap
   double closing = 1e-6;     // radians: a waypoint whose loops are farther open does not close; above 0
   double resolution = 1e-9;  // intervals shorter than this are not halved, in (0, 1]
+  long max_looks = 0;        // at one plate or one pair of plates on an interval; then the proof ends; 0: no limit
 };
 
 enum class PathVerdict { Free, Collides, Undecided, NotClosed, BeyondLimits };
@@ -41,7 +42,8 @@ struct PathProof {
   int panel_a = -1, panel_b = -1;
   double depth = 0;          // of the penetration at `to`, units
   bool too_coarse = false;   // Undecided, for loops open between the waypoints at `from` and `to` by the clearance
-  bool interrupted = false;  // the run was over before the proof was: Undecided, on the rest [from, 1]
+  bool interrupted = false;  // the run was over, or all looks taken, before the proof was: Undecided, on [from, 1]
+  double free_until = 0;     // the motion up to then is shown free, whatever comes later; 1 when Free
   long intervals = 0;        // of time, on which all panels or the undecided pairs were looked at
   long pair_intervals = 0;   // pairs of plates examined one by one on an interval
   double clearance = 0, touch = 0, rounding = 0;  // used, units

@@ -8,6 +8,7 @@
 #include "plico/base/error.h"
 #include "plico/base/version.h"
 #include "plico/fabricate/hand_measures.h"
+#include "plico/fabricate/net_sides.h"
 #include "plico/io/motion/png.h"
 #include "plico/io/motion/viewer.h"
 #include "plico/io/page/dxf.h"
@@ -28,6 +29,9 @@ namespace {
 
 // Steps of each lane that improves a net for hands, per face and at most: seconds for a usual animal.
 constexpr long kImprovingSteps = 400, kMostImprovingSteps = 200'000;
+
+// Pages of more panels take longer than who stopped or limited the work wants to wait.
+constexpr int kMostToDrawLate = 10'000;  // faces
 
 std::string_view kind_of(MotionMethod method) {
   return method == MotionMethod::Linear || method == MotionMethod::Uniform ? name(method) : "planned";
@@ -184,7 +188,7 @@ void find_net(const Mesh& mesh, const CraftOptions& options, const Run& run, Cra
 std::string fold_text(const Mesh& mesh, const CraftOptions& options, const CraftResult& result) {
   FoldFile file = result.kit ? parts_file(mesh, *result.kit) : fold_file(mesh, result.net);
   file.report = options.made_by;
-  if (result.motion) set_path(file, linkage_of(result.net), result.motion->path);
+  if (result.motion && !result.kit) set_path(file, linkage_of(result.net), result.motion->path);
   return write_fold(file);
 }
 
@@ -194,12 +198,13 @@ std::string caption_of(const CraftOptions& options, const std::string& file) {
   return file.substr(begin, file.size() - begin - 4);
 }
 
-// Poses in the frame of the mesh, turned so that its up axis is z.
-std::vector<Pose> standing(std::vector<Pose> poses, const CraftOptions& options) {
-  if (options.layout.size.up != 'y') return poses;
-  const Pose upright = rotation_about(Vec3::Zero(), Vec3::UnitX(), kPi / 2);
-  for (Pose& pose : poses) pose = upright * pose;
-  return poses;
+// What is printed at each side of each panel.
+std::vector<std::vector<std::string>> side_ids(const CraftResult& result) {
+  const NetSides sides(result.net);
+  std::vector<std::vector<std::string>> ids(result.net.sheet.faces.size());
+  for (int p = 0; p < result.net.sheet.num_faces(); ++p)
+    for (const int edge : sides.edges(p)) ids[p].push_back(result.layout.report.edge_ids[edge]);
+  return ids;
 }
 
 std::string page_text(const Mesh& mesh, const CraftOptions& options, const CraftResult& result,
@@ -210,8 +215,9 @@ std::string page_text(const Mesh& mesh, const CraftOptions& options, const Craft
   page.stand = stand_of(result.net, page.linkage, mesh, options.layout.size.up);
   page.report = report.dump();
   page.start = 1;  // the model, beside its net
-  if (result.kit && !result.kit->joints.empty() && result.motion)
-    page.home = standing(assembled(mesh, result.net), options);
+  if (result.kit && result.motion) page.home = standing(assembled(mesh, result.net), options.layout.size.up);
+  page.part_of_panel = result.layout.report.part_of_panel;
+  page.side_ids = side_ids(result);
   if (result.motion) {
     const PathProof& proof = result.motion->proof;
     page.path = result.motion->path;
@@ -244,10 +250,40 @@ void add_pictures(const Mesh& mesh, const CraftOptions& options, CraftResult& re
   PictureOptions picture;
   picture.width = 900;
   picture.height = 700;
-  picture.home = standing(assembled(mesh, result.net), options);
+  picture.home = standing(assembled(mesh, result.net), options.layout.size.up);
   result.files.push_back({options.name + "-assembled.png", render_png(linkage, goal(linkage), picture)});
-  picture.home = standing(exploded(mesh, *result.kit), options);
+  picture.home = standing(exploded(mesh, *result.kit), options.layout.size.up);
   result.files.push_back({options.name + "-exploded.png", render_png(linkage, goal(linkage), picture)});
+}
+
+void add_drawings(const Mesh& mesh, const CraftOptions& options, const Run& run, CraftResult& result) {
+  run.report("laying out pages", 0);
+  LayoutOptions layout = options.layout;
+  layout.size.fill_page = true;
+  if (result.kit) {
+    layout.titles = part_titles(result.kit->parts.names, result.kit->pieces);
+    layout.seams = seams_of(mesh, *result.kit);
+    layout.joints = joint_facets(mesh, result.net, result.kit->joints, result.kit->pieces, layout.titles);
+  }
+  result.layout = lay_out_pages(result.net, folded_shape(mesh), layout, run);
+  result.layout_verdict = verify_layout(result.layout.layout);
+  add_pages(options, result);
+  if (result.kit && !result.kit->joints.empty()) add_pictures(mesh, options, result);
+}
+
+void report_pages(const CraftResult& result, nlohmann::json& report) {
+  const LayoutReport& layout = result.layout.report;
+  const HandWork work = hand_work(result);
+  report["pages"] = layout.pages;
+  report["size_mm"] = {layout.final_size.x(), layout.final_size.y(), layout.final_size.z()};
+  report["scale_mm_per_unit"] = layout.scale;
+  report["fill_ratio"] = layout.fill_ratio;
+  report["tabs"] = layout.tabs.tabs.size();
+  report["edges"] = work.edges;
+  report["edges_under_5_mm"] = work.small;
+  report["seams_without_tab"] = layout.tabs.omitted + layout.tabs.short_seams;
+  report["pages_verified"] = result.layout_verdict.sound();
+  report["hands"] = json_of(measure_for_hands(result.net, layout.scale));
 }
 
 }  // namespace
@@ -267,22 +303,12 @@ CraftResult craft(const Mesh& mesh, const CraftOptions& options, const Run& run)
     find_net(mesh, options, run, result);
   if (result.motion && !result.proven() && run.over()) result.ending = run.ending();
   if (result.motion) result.motion_kind = kind_of(result.motion->method);
-  run.report("laying out pages", 0);
-  LayoutOptions layout = options.layout;
-  layout.size.fill_page = true;
-  if (result.kit) {
-    layout.titles = part_titles(result.kit->parts.names, result.kit->pieces);
-    layout.seams = seams_of(mesh, *result.kit);
-    layout.joints = joint_facets(mesh, *result.kit, layout.titles);
-  }
-  result.layout = lay_out_pages(result.net, folded_shape(mesh), layout, run);
-  result.layout_verdict = verify_layout(result.layout.layout);
-  add_pages(options, result);
-  if (result.kit && !result.kit->joints.empty()) add_pictures(mesh, options, result);
+  result.drawn = !run.over() || mesh.num_faces() <= kMostToDrawLate;
+  if (result.drawn) add_drawings(mesh, options, run, result);
   result.files.push_back({options.name + ".fold", fold_text(mesh, options, result)});
   const nlohmann::json report = craft_report(mesh, result);
   result.files.push_back({"report.json", report.dump(2) + "\n"});
-  result.files.push_back({"index.html", page_text(mesh, options, result, report)});
+  if (result.drawn) result.files.push_back({"index.html", page_text(mesh, options, result, report)});
   return result;
 }
 
@@ -308,8 +334,6 @@ HandWork hand_work(const CraftResult& result) {
 }
 
 nlohmann::json craft_report(const Mesh& mesh, const CraftResult& result) {
-  const LayoutReport& layout = result.layout.report;
-  const HandWork work = hand_work(result);
   nlohmann::json report = {
       {"faces", mesh.num_faces()},
       {"components", components(mesh).count},
@@ -317,22 +341,13 @@ nlohmann::json craft_report(const Mesh& mesh, const CraftResult& result) {
       {"parts", result.verdict.parts},
       {"net_verified", result.verdict.valid()},
       {"overlaps", result.verdict.overlaps.count},
-      {"pages", layout.pages},
-      {"size_mm", {layout.final_size.x(), layout.final_size.y(), layout.final_size.z()}},
-      {"scale_mm_per_unit", layout.scale},
-      {"fill_ratio", layout.fill_ratio},
-      {"tabs", layout.tabs.tabs.size()},
-      {"edges", work.edges},
-      {"edges_under_5_mm", work.small},
-      {"seams_without_tab", layout.tabs.omitted + layout.tabs.short_seams},
-      {"pages_verified", result.layout_verdict.sound()},
-      {"hands", json_of(measure_for_hands(result.net, layout.scale))},
   };
+  if (result.drawn) report_pages(result, report);
   if (result.kit) report["pieces"] = parts_json(mesh, *result.kit);
   if (result.kit && !result.kit->joints.empty()) {
     report["joints"] = joints_json(*result.kit);
     report["joints_verified"] = result.joint_defects.empty();
-    report["joints_too_small_for_text"] = layout.joints_unnamed;
+    report["joints_too_small_for_text"] = result.layout.report.joints_unnamed;
   }
   if (result.motion)
     report["motion"] = {{"kind", result.motion_kind},

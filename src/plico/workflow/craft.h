@@ -55,6 +55,7 @@ struct CraftResult {
   std::optional<Motion> motion;  // the best that was found, proven or not
   std::string motion_kind;       // "linear", "uniform", "planned"; empty without a motion
   std::string why_no_motion;     // empty with one
+  bool drawn = true;  // false: the time was over, and so many panels take long; only NAME.fold and report.json
   LayoutResult layout;
   LayoutVerdict layout_verdict;
   std::vector<Defect> joint_defects;  // of the joints of the kit

@@ -7,18 +7,23 @@
 #include "plico/origami/approach.h"
 #include "plico/origami/elastic_start.h"
 #include "plico/origami/facets.h"
+#include "plico/verify/sheet_motion.h"
 #include "plico/workflow/plan_origami.h"
 
 namespace plico {
 namespace {
 
-constexpr double kOpening = 0.2;        // of the clearance, that hinges may open by between waypoints
-constexpr int kMostCuts = 6;            // of a path at its end, until the proof holds
-constexpr double kWorthCutting = 0.01;  // of the way: what facets must gain
-constexpr double kFarEnough = 0.98;     // of the way: then panels are not cut
-constexpr double kNearFlat = 0.3;       // of the way: then creases may also turn against their goal on the way
+constexpr double kOpening = 0.2;         // of the clearance, that hinges may open by between waypoints
+constexpr double kRefineTime = 0.3;      // of what is left
+constexpr long kMostLooks = 30'000'000;  // of a proof; about as many as fit in ten seconds
+constexpr int kMostCuts = 6;             // of a path at its end, until the proof holds
+constexpr double kWorthCutting = 0.01;   // of the way: what facets must gain
+constexpr double kFarEnough = 0.98;      // of the way: then panels are not cut
+constexpr double kNearFlat = 0.3;        // of the way: then creases may also turn against their goal on the way
 constexpr double kPulledTo[] = {0.1, 0.3, 0.6};
-constexpr double kShareOfTime = 0.45;  // that is left, for the first proof
+constexpr double kSearchTime = 0.5;       // of what is left: the rest is for the proof
+constexpr double kFirstSearchTime = 0.7;  // of that, for a search that others follow
+constexpr double kWholeTime = 0.4;        // of what is left, for whole panels when facets come next
 constexpr double kShort = radians(0.5);
 constexpr double kBends = 1e-9;  // radians
 constexpr int kMostNamed = 3;
@@ -107,11 +112,47 @@ void start_otherwise(const Linkage& linkage, const ApproachOptions& approach, co
   }
 }
 
-// A proof that a time limit ends has shown the beginning of the motion, which is proven again once the rest is cut off.
-Run leaving_time_to_cut(const Run& run) {
-  if (!run.deadline) return run;
-  const double left = std::chrono::duration<double>(*run.deadline - Run::Clock::now()).count();
-  return limited(run, kShareOfTime * std::max(0.0, left));
+// Without what follows the first step in which hinges may open by the clearance: that cannot be proven.
+void cut_where_coarse(const Linkage& linkage, double clearance, FoldingPath& path) {
+  const SheetMotion motion(linkage, path);
+  const double most = clearance - motion.loops().tear;
+  int steps = 0;
+  while (steps + 1 < static_cast<int>(path.waypoints.size()) && motion.gap_after(steps) < most) ++steps;
+  path.waypoints.resize(steps + 1);
+  if (steps > 0) stretch_times(path);
+}
+
+// The motion up to the last waypoint that its proof came to. A proof looks at time from its beginning on, so it is a
+// proof of that part.
+Motion shown_part(const Linkage& linkage, const Motion& motion) {
+  Motion part = motion;
+  std::vector<Waypoint>& waypoints = part.path.waypoints;
+  const auto first_beyond = std::find_if(waypoints.begin(), waypoints.end(),
+                                         [&](const Waypoint& w) { return w.time > motion.proof.free_until; });
+  waypoints.erase(first_beyond, waypoints.end());
+  if (waypoints.size() < 2) return {motion.method, {}, motion.proof};
+  stretch_times(part.path);
+  part.proof.verdict = PathVerdict::Free;
+  part.proof.interrupted = false;
+  part.proof.from = part.proof.to = part.proof.depth = 0;
+  part.proof.panel_a = part.proof.panel_b = -1;
+  part.proof.free_until = 1;
+  part.proof.loops = SheetMotion(linkage, part.path).loops();
+  return part;
+}
+
+// Straight, then letting creases turn against their goal on the way, then from states that creases were pulled to.
+ContinuationResult search_far(const Linkage& linkage, const FoldingPath& begun, ApproachOptions approach, bool may_pull,
+                              const Run& run) {
+  ContinuationResult found = approach_goal(linkage, begun, approach, share_of_time(run, kFirstSearchTime));
+  const bool starts_flat = begun.waypoints.size() < 2;
+  if (starts_flat && found.ending != Ending::Found && found.progress < kNearFlat && !run.over()) {
+    approach.keep_sides = false;
+    ContinuationResult free = approach_goal(linkage, begun, approach, share_of_time(run, kFirstSearchTime));
+    if (free.progress > found.progress) found = std::move(free);
+  }
+  if (may_pull && starts_flat && found.progress < kNearFlat) start_otherwise(linkage, approach, run, found);
+  return found;
 }
 
 FarMotion go_on(const Linkage& linkage, const FoldingPath& begun, const MotionOptions& options, bool may_pull,
@@ -120,17 +161,11 @@ FarMotion go_on(const Linkage& linkage, const FoldingPath& begun, const MotionOp
   ApproachOptions approach;
   approach.frames = options.waypoints;
   approach.collision.clearance = clearance;
-  ContinuationResult found = approach_goal(linkage, begun, approach, run);
-  const bool starts_flat = begun.waypoints.size() < 2;
-  if (starts_flat && found.ending != Ending::Found && found.progress < kNearFlat && !run.over()) {
-    approach.keep_sides = false;
-    ContinuationResult free = approach_goal(linkage, begun, approach, run);
-    if (free.progress > found.progress) found = std::move(free);
-  }
-  if (may_pull && starts_flat && found.progress < kNearFlat) start_otherwise(linkage, approach, run, found);
+  const ContinuationResult found = search_far(linkage, begun, approach, may_pull, share_of_time(run, kSearchTime));
   FarMotion result;
   if (found.path.waypoints.size() > 1)
     result.motion = prove_as_far(linkage, found.path, MotionMethod::Continuation, clearance, run);
+  result.timed_out = run.over() || found.ending == Ending::TimedOut;
   if (result.motion.path.waypoints.size() > 1 && result.motion.proof.verdict == PathVerdict::Free) {
     const Configuration& end = result.motion.path.waypoints.back().config;
     result.share = share_of_way(linkage, end);
@@ -155,26 +190,29 @@ FarMotion go_on_in_facets(const CreasePattern& sheet, const MotionOptions& optio
 
 }  // namespace
 
+Run share_of_time(const Run& run, double share) {
+  if (!run.deadline) return run;
+  const double left = std::chrono::duration<double>(*run.deadline - Run::Clock::now()).count();
+  return limited(run, share * std::max(0.0, left));
+}
+
 Motion prove_as_far(const Linkage& linkage, const FoldingPath& planned, MotionMethod method, double clearance,
                     const Run& run) {
   Motion motion{method, planned, {}};
   stretch_times(motion.path);
-  motion.path = refine_path(linkage, motion.path, kOpening * clearance, run);
-  std::vector<Waypoint>& waypoints = motion.path.waypoints;
-  for (int cuts = 0; cuts <= kMostCuts; ++cuts) {
-    motion.proof =
-        prove_path(linkage, motion.path, {.clearance = clearance}, cuts == 0 ? leaving_time_to_cut(run) : run);
-    if (motion.proof.verdict == PathVerdict::Free || run.over()) return motion;
-    const double proven = motion.proof.from;
-    const auto first_beyond =
-        std::find_if(waypoints.begin(), waypoints.end(), [&](const Waypoint& w) { return w.time > proven; });
-    const bool all_kept_is_proven = cuts == 0 || motion.proof.interrupted;
-    const auto last_kept = first_beyond - waypoints.begin() - 1 - (all_kept_is_proven ? 0 : 1 << cuts);
-    if (last_kept < 1) break;
-    waypoints.resize(last_kept + 1);
-    stretch_times(motion.path);
+  motion.path = refine_path(linkage, motion.path, kOpening * clearance, share_of_time(run, kRefineTime));
+  cut_where_coarse(linkage, clearance, motion.path);
+  Motion shown;
+  for (int cuts = 0; cuts <= kMostCuts && motion.path.waypoints.size() > 1; ++cuts) {
+    motion.proof = prove_path(linkage, motion.path, {.clearance = clearance, .max_looks = kMostLooks}, run);
+    if (motion.proof.verdict == PathVerdict::Free) return motion;
+    Motion part = shown_part(linkage, motion);
+    // Proven once more by itself, as a judge will who sees no more than this part.
+    motion.path = part.path;
+    if (part.path.waypoints.size() > shown.path.waypoints.size()) shown = std::move(part);
+    if (run.over()) break;
   }
-  return motion;
+  return shown;
 }
 
 FarMotion go_as_far(const Linkage& linkage, const CreasePattern* sheet, const FoldingPath& begun,
@@ -184,9 +222,10 @@ FarMotion go_as_far(const Linkage& linkage, const CreasePattern* sheet, const Fo
   // Whole panels that are locked will be cut; pulling them first is time lost.
   const bool will_cut =
       may_cut && std::any_of(sheet->faces.begin(), sheet->faces.end(), [](const auto& f) { return f.size() > 3; });
-  FarMotion whole = go_on(linkage, begun, options, !will_cut, run);
+  FarMotion whole = go_on(linkage, begun, options, !will_cut, may_cut ? share_of_time(run, kWholeTime) : run);
   if (!may_cut || whole.share >= kFarEnough || run.over()) return whole;
   FarMotion cut = go_on_in_facets(*sheet, options, run);
+  cut.timed_out = whole.timed_out = cut.timed_out || whole.timed_out;
   return cut.share > whole.share + kWorthCutting ? cut : whole;
 }
 

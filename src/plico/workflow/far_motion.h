@@ -10,10 +10,14 @@ struct FarMotion {
   Motion motion;
   double share = 0;                    // of the way to the goal (share_of_way), proven
   bool reached = false;                // the goal, proven
+  bool timed_out = false;              // more time may lead farther
   std::optional<CreasePattern> sheet;  // that it folds, when panels were cut; its first edges are those of the given
   std::vector<double> bends;           // then: of each panel of the given sheet, radians at most, 0 stays flat
   std::vector<std::string> notes;      // how far, and why not farther
 };
+
+// The same run that must end when `share` of the time it has left is over; without a deadline the same run.
+Run share_of_time(const Run& run, double share);
 
 // The part of a planned motion that can be proven: waypoints are inserted until hinges open by little (refine_path),
 // and what comes after the first moment that the proof refuses is left off. `clearance` in units.

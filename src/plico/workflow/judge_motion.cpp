@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -17,6 +18,12 @@ constexpr double kGoal = radians(0.5);     // a goal rounded in a file is moved 
 constexpr double kShare = 1e-6;            // of the way to the goal: what a file may round
 constexpr double kNoFold = radians(1e-6);  // what cannot turn is not turned
 
+double diagonal_of(const CreasePattern& sheet) {
+  Eigen::AlignedBox2d box;
+  for (const Vec2& p : sheet.vertices) box.extend(p);
+  return box.isEmpty() ? 0 : box.diagonal().norm();
+}
+
 // How much of the way to the goal a motion goes, as its file says.
 std::optional<double> claimed_share(const std::string& report) {
   const nlohmann::json root = nlohmann::json::parse(report, nullptr, false);
@@ -30,9 +37,7 @@ class MotionJudge {
  public:
   MotionJudge(const FoldFile& file, const Linkage& linkage, const std::optional<Mesh>& mesh, const Run& run)
       : file_(file), linkage_(linkage), mesh_(mesh), run_(run) {
-    Eigen::AlignedBox2d box;
-    for (const Vec2& p : file.net.sheet.vertices) box.extend(p);
-    diagonal_ = box.isEmpty() ? 0 : box.diagonal().norm();
+    diagonal_ = diagonal_of(file.net.sheet);
   }
 
   FileVerdict run() {
@@ -65,7 +70,8 @@ class MotionJudge {
     } catch (const InvalidInput& error) {  // a folded form that is no surface
       defect("net/folded-form", "{}", error.what());
     }
-    if (mesh_) judge_folded_form();
+    if (!mesh_) return;
+    if (std::optional<Defect> found = judge_folded_form(file_, *mesh_)) verdict_.defects.push_back(std::move(*found));
   }
 
   void judge_overlap() {
@@ -74,17 +80,6 @@ class MotionJudge {
     if (overlaps.count > 0)
       defect("sheet/overlap", "{} pairs of panels overlap, the first {} and {}", overlaps.count,
              overlaps.listed.front().a, overlaps.listed.front().b);
-  }
-
-  void judge_folded_form() {
-    for (std::size_t v = 0; v < file_.folded.size(); ++v) {
-      const int at = file_.net.mesh_vertex[v];
-      if (at >= mesh_->num_vertices()) return;  // verify_net has said so
-      const double off = (file_.folded[v] - mesh_->point(VertexId(at))).norm();
-      if (!(off <= kPlace * diagonal_))
-        return defect("net/folded-form", "vertex {} of the folded form is {:.3g} from vertex {} of the mesh", v, off,
-                      at);
-    }
   }
 
   // An edge between two panels that is called border or cut does not turn, so it must not ask to.
@@ -153,6 +148,19 @@ class MotionJudge {
 };
 
 }  // namespace
+
+std::optional<Defect> judge_folded_form(const FoldFile& file, const Mesh& mesh) {
+  const double slack = kPlace * diagonal_of(file.net.sheet);
+  for (std::size_t v = 0; v < std::min(file.folded.size(), file.net.mesh_vertex.size()); ++v) {
+    const int at = file.net.mesh_vertex[v];
+    if (at >= mesh.num_vertices()) return {};  // verify_net says so
+    const double off = (file.folded[v] - mesh.point(VertexId(at))).norm();
+    if (!(off <= slack))
+      return Defect{"net/folded-form",
+                    fmt::format("vertex {} of the folded form is {:.3g} from vertex {} of the mesh", v, off, at)};
+  }
+  return {};
+}
 
 FileVerdict judge_motion(const FoldFile& file, const Linkage& linkage, const std::optional<Mesh>& mesh,
                          const Run& run) {

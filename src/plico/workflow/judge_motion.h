@@ -27,4 +27,8 @@ struct FileVerdict {
 FileVerdict judge_motion(const FoldFile& file, const Linkage& linkage, const std::optional<Mesh>& mesh = {},
                          const Run& run = {});
 
+// The folded form in the file against the mesh: the first vertex that stands elsewhere, none when all agree or the file
+// has no folded form.
+std::optional<Defect> judge_folded_form(const FoldFile& file, const Mesh& mesh);
+
 }  // namespace plico

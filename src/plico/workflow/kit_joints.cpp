@@ -46,21 +46,23 @@ double area_of(const std::vector<Vec3>& polygon) {
 
 }  // namespace
 
-std::vector<JointFacet> joint_facets(const Mesh& mesh, const Kit& kit, const std::vector<PartTitle>& titles) {
+std::vector<JointFacet> joint_facets(const Mesh& mesh, const Unfolding& net, const std::vector<Joint>& joints,
+                                     const std::vector<std::vector<int>>& pieces,
+                                     const std::vector<PartTitle>& titles) {
   std::vector<int> panel_of_face(mesh.num_faces(), -1);
-  for (std::size_t p = 0; p < kit.net.mesh_face.size(); ++p) panel_of_face[kit.net.mesh_face[p]] = static_cast<int>(p);
+  for (std::size_t p = 0; p < net.mesh_face.size(); ++p) panel_of_face[net.mesh_face[p]] = static_cast<int>(p);
   std::vector<JointFacet> facets;
-  for (std::size_t j = 0; j < kit.joints.size(); ++j) {
-    const Joint& joint = kit.joints[j];
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    const Joint& joint = joints[j];
     const auto side = [&](int face, int other, bool turned) {
       JointFacet facet{panel_of_face[face], {}, 0, {}};
-      const FaceToPanel flat(mesh, kit.net, facet.panel);
+      const FaceToPanel flat(mesh, net, facet.panel);
       for (const Vec3& p : joint.polygon) facet.polygon.push_back(flat(p));
       if (turned) {  // seen from outside it runs the other way; the first corner becomes the last
         std::reverse(facet.polygon.begin(), facet.polygon.end());
         facet.up = static_cast<int>(facet.polygon.size()) - 1;
       }
-      facet.text = fmt::format("to {}: {}", titles[kit.pieces[other].front()].id, j + 1);
+      facet.text = fmt::format("to {}: {}", titles[pieces[other].front()].id, j + 1);
       facets.push_back(std::move(facet));
     };
     side(joint.first_face, joint.second, false);

@@ -7,9 +7,10 @@
 
 namespace plico {
 
-// Both facets of every joint, on the panels of kit.net. Joints are numbered from 1; the text names the part that is
-// glued on, as "to B: 3". `titles` has one entry a piece of the net.
-std::vector<JointFacet> joint_facets(const Mesh& mesh, const Kit& kit, const std::vector<PartTitle>& titles);
+// Both facets of every joint, on the panels of `net`. Joints are numbered from 1; the text names the part that is
+// glued on, as "to B: 3". `pieces` has the pieces of the net of every part, `titles` one entry for each piece.
+std::vector<JointFacet> joint_facets(const Mesh& mesh, const Unfolding& net, const std::vector<Joint>& joints,
+                                     const std::vector<std::vector<int>>& pieces, const std::vector<PartTitle>& titles);
 
 // One object a joint: number, parts (names), faces (of the mesh), area, polygon. Units are the mesh's.
 nlohmann::json joints_json(const Kit& kit);

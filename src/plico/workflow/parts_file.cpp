@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "plico/base/error.h"
+#include "plico/io/pattern/fold_pieces.h"
 #include "plico/mesh/measures.h"
 #include "plico/segment/seams.h"
+#include "plico/workflow/kit_motion.h"
 
 namespace plico {
 namespace {
@@ -16,6 +19,7 @@ using Json = nlohmann::json;
 
 constexpr const char* kPartsKey = "plico:parts";
 constexpr const char* kSeamKey = "edges_plico:seam";
+constexpr const char* kJointsKey = "plico:joints";
 
 Json part_motion_json(const ProvenPart& part) {
   if (!part.motion) return nullptr;
@@ -44,6 +48,46 @@ Json seams_json(const Mesh& mesh, const Kit& result) {
   return list;
 }
 
+// Facets that are glued face to face; parts and faces by number.
+Json joints_key(const std::vector<Joint>& joints) {
+  Json list = Json::array();
+  for (const Joint& joint : joints) {
+    Json polygon = Json::array();
+    for (const Vec3& p : joint.polygon) polygon.push_back({p.x(), p.y(), p.z()});
+    list.push_back({{"parts", {joint.first, joint.second}},
+                    {"faces", {joint.first_face, joint.second_face}},
+                    {"polygon", std::move(polygon)}});
+  }
+  return list;
+}
+
+// What each piece of the net is called.
+std::vector<std::string> piece_titles(const Kit& kit) {
+  std::vector<std::string> titles(kit.net.num_parts());
+  for (std::size_t i = 0; i < kit.pieces.size(); ++i)
+    for (std::size_t k = 0; k < kit.pieces[i].size(); ++k)
+      titles[kit.pieces[i][k]] =
+          kit.pieces[i].size() == 1 ? kit.parts.names[i] : fmt::format("{}.{}", kit.parts.names[i], k + 1);
+  return titles;
+}
+
+// Who reads the file may fold by it, so motions that are not proven stay out.
+std::vector<std::optional<FoldingPath>> proven_paths(const Mesh& mesh, const Kit& kit) {
+  std::vector<std::optional<FoldingPath>> paths = paths_of_pieces(mesh, kit, pieces_of(kit.net));
+  for (std::size_t i = 0; i < kit.part.size(); ++i)
+    for (int piece : kit.pieces[i])
+      if (paths[piece] && kit.part[i].motion->proof.verdict != PathVerdict::Free) paths[piece].reset();
+  return paths;
+}
+
+void add_motions(FoldFile& file, const Mesh& mesh, const Kit& kit) {
+  const std::vector<std::optional<FoldingPath>> paths = proven_paths(mesh, kit);
+  if (paths.size() > 1)
+    set_pieces(file, piece_titles(kit), paths);
+  else if (!paths.empty() && paths[0])
+    set_path(file, linkage_of(kit.net), *paths[0]);
+}
+
 [[noreturn]] void refuse_claim(const std::string& what, const std::string& where) {
   throw InvalidInput("fold/parts", what, where);
 }
@@ -57,6 +101,38 @@ std::vector<int> integers(const Json& list, const std::string& where) {
     values.push_back(value.get<int>());
   }
   return values;
+}
+
+// The value under a key of an object, as it is; null where there is none.
+Json value_in(const Json& object, const char* key) { return object.is_object() ? object.value(key, Json()) : Json(); }
+
+Vec3 point_of(const Json& row, const std::string& where) {
+  const bool is_point = row.is_array() && row.size() == 3 &&
+                        std::all_of(row.begin(), row.end(), [](const Json& x) { return x.is_number(); });
+  if (!is_point) refuse_claim("a corner must be three numbers", where);
+  return {row[0].get<double>(), row[1].get<double>(), row[2].get<double>()};
+}
+
+// Two numbers under `key`.
+std::pair<int, int> pair_of(const Json& joint, const char* key, const std::string& where) {
+  const std::vector<int> two = integers(value_in(joint, key), fmt::format("{}.{}", where, key));
+  if (two.size() != 2) refuse_claim("a joint has two sides", fmt::format("{}.{}", where, key));
+  return {two[0], two[1]};
+}
+
+std::vector<JointClaim> joint_claims(const Json& list) {
+  if (!list.is_array()) refuse_claim("plico:joints is not an array", kJointsKey);
+  std::vector<JointClaim> joints;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string where = fmt::format("{}[{}]", kJointsKey, i);
+    JointClaim& joint = joints.emplace_back();
+    std::tie(joint.first_face, joint.second_face) = pair_of(list[i], "faces", where);
+    std::tie(joint.first, joint.second) = pair_of(list[i], "parts", where);
+    const Json polygon = value_in(list[i], "polygon");
+    if (!polygon.is_array()) refuse_claim("a joint has no polygon", where);
+    for (const Json& corner : polygon) joint.polygon.push_back(point_of(corner, where + ".polygon"));
+  }
+  return joints;
 }
 
 const std::string* value_of(const FoldFile& file, const std::string& key) {
@@ -92,7 +168,9 @@ Json parts_json(const Mesh& mesh, const Kit& result) {
 FoldFile parts_file(const Mesh& mesh, const Kit& result) {
   FoldFile file = fold_file(mesh, result.net);
   file.other.emplace_back(kSeamKey, seams_json(mesh, result).dump());
+  if (!result.joints.empty()) file.other.emplace_back(kJointsKey, joints_key(result.joints).dump());
   file.other.emplace_back(kPartsKey, parts_json(mesh, result).dump());
+  add_motions(file, mesh, result);
   return file;
 }
 
@@ -126,6 +204,21 @@ std::vector<PartTitle> part_titles(const std::vector<std::string>& names, const 
   return titles;
 }
 
+std::vector<Joint> joints_of(const PartsClaim& claim, const Mesh& mesh) {
+  for (const Defect& defect : verify_joints(mesh, claim.joints))
+    throw InvalidInput(defect.code, defect.message, kJointsKey, "plico verify says all that is wrong");
+  std::vector<Joint> joints;
+  for (const JointClaim& joint : claim.joints) {
+    for (int part : {joint.first, joint.second})
+      if (part < 0 || part >= static_cast<int>(claim.pieces.size()) || claim.pieces[part].empty())
+        throw InvalidInput("fold/joints",
+                           fmt::format("joint {} is of part {}, of which there is no piece", joints.size() + 1, part),
+                           fmt::format("{}[{}]", kJointsKey, joints.size()));
+    joints.push_back({joint.first, joint.second, joint.first_face, joint.second_face, joint.polygon});
+  }
+  return joints;
+}
+
 std::optional<PartsClaim> parts_claim(const FoldFile& file) {
   const std::string* text = value_of(file, kPartsKey);
   if (!text) return std::nullopt;
@@ -139,7 +232,12 @@ std::optional<PartsClaim> parts_claim(const FoldFile& file) {
     claim.names.push_back(part["name"].get<std::string>());
     claim.faces.push_back(integers(part.value("faces", Json()), where + ".faces"));
     claim.pieces.push_back(integers(part.value("pieces", Json()), where + ".pieces"));
+    claim.steps.push_back(integers(Json::array({part.value("step", Json(0))}), where + ".step")[0]);
+    const Json motion = value_in(part, "motion");
+    claim.folds.push_back(value_in(motion, "verdict") == Json("free"));
   }
+  if (const std::string* joints = value_of(file, kJointsKey)) claim.joints = joint_claims(Json::parse(*joints));
+  for (const FoldPiece& piece : file.pieces) claim.alone.push_back({piece.title, piece.path.has_value()});
   claim.seam.assign(file.net.sheet.edges.size(), 0);
   if (const std::string* numbers = value_of(file, kSeamKey)) {
     Json seam = Json::parse(*numbers);

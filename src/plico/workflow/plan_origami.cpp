@@ -18,6 +18,7 @@ constexpr double kGapShare = 0.2;     // of the clearance, that hinges may open 
 constexpr int kMostPieces = 64;       // that one step is cut into at once
 constexpr int kRefinements = 3;       // the first does nearly all; the others meet steps that were not straight
 constexpr double kLimitSlack = 1e-9;  // radians
+constexpr double kOvershoot = 10;     // times what a goal may move: a search that strays farther will not come back
 constexpr int kMostLimitedNamed = 3;
 constexpr int kMostCreasesNamed = 4;
 constexpr int kMostCreasesSearched = 64;  // without being asked: the number of discrete states grows exponentially
@@ -127,7 +128,10 @@ class OrigamiPlanning {
     outcome_.notes.insert(outcome_.notes.end(), far.notes.begin(), far.notes.end());
     outcome_.progress = far.share;
     outcome_.ending = far.reached ? Ending::Found : Ending::Exhausted;
-    if (far.motion.path.waypoints.size() < 2) return;
+    if (far.motion.path.waypoints.size() < 2) {
+      if (far.timed_out) outcome_.ending = Ending::TimedOut;
+      return;
+    }
     outcome_.motions = {std::move(far.motion)};
     outcome_.sheet = std::move(far.sheet);
     outcome_.bends = std::move(far.bends);
@@ -252,7 +256,7 @@ class OrigamiPlanning {
     const Configuration wanted = goal(linkage_);
     Projector projector(linkage_);
     if (closure(projector.vertices(), wanted).worst <= 1e-9) return;
-    const Projection projection = projector.project(wanted);
+    const Projection projection = projector.project(wanted, {.most_turn = kOvershoot * kMostGoalMove}, run_);
     const double move = (projection.config - wanted).cwiseAbs().maxCoeff();
     if (!projection.closed || move > kMostGoalMove) return;
     for (int h = 0; h < linkage_.num_hinges(); ++h) {
@@ -325,13 +329,13 @@ class OrigamiPlanning {
 
 // Waypoints strictly between two, or none when the sheet does not close near the straight line.
 std::vector<Waypoint> between(Projector& projector, const ProjectOptions& within, const Waypoint& a, const Waypoint& b,
-                              int pieces) {
+                              int pieces, const Run& run) {
   std::vector<Waypoint> inserted;
   const double most = 0.5 * (b.config - a.config).cwiseAbs().maxCoeff();
   for (int i = 1; i < pieces; ++i) {
     const double share = static_cast<double>(i) / pieces;
     const Configuration straight = (1 - share) * a.config + share * b.config;
-    Projection projection = projector.project(straight, within);
+    Projection projection = projector.project(straight, within, run);
     if (!projection.closed || (projection.config - straight).cwiseAbs().maxCoeff() > most) return {};
     inserted.push_back({(1 - share) * a.time + share * b.time, std::move(projection.config)});
   }
@@ -355,7 +359,7 @@ FoldingPath refine_path(const Linkage& linkage, const FoldingPath& path, double 
       if (w + 1 == old.size() || motion.gap_after(static_cast<int>(w)) <= gap || run.over()) continue;
       const int pieces = std::min(
           kMostPieces, static_cast<int>(std::ceil(std::sqrt(1.05 * motion.gap_after(static_cast<int>(w)) / gap))));
-      for (Waypoint& inserted : between(projector, within, old[w], old[w + 1], pieces))
+      for (Waypoint& inserted : between(projector, within, old[w], old[w + 1], pieces, run))
         next.waypoints.push_back(std::move(inserted));
     }
     if (next.waypoints.size() == old.size()) break;

@@ -40,7 +40,7 @@ class Unpacker {
         stacking_(stacking),
         options_(options),
         run_(run),
-        chains_(options.chains > 0 ? options.chains : std::clamp(8000 / voxels.shell.size(), 2, 40)) {}
+        chains_(options.chains > 0 ? options.chains : std::clamp(20000 / voxels.shell.size(), 5, 40)) {}
 
   StackMotion run(const StackedChain& first) {
     CompactResult found = first.found;

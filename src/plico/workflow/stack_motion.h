@@ -12,10 +12,10 @@ namespace plico {
 struct StackMotionOptions {
   std::uint64_t seed = 1;
   bool to_shape = true;  // else only to the pile
-  // Chains tried: the given one, then others, each from both ends and upside down. 0: as many as 8,000 panels make, 2
+  // Chains tried: the given one, then others, each from both ends and upside down. 0: as many as 20,000 panels make, 5
   // to 40, because long ones take long.
   int chains = 0;
-  PeelOptions peel = {.nodes = 30000};
+  PeelOptions peel = {};
 };
 
 struct StackMotion {

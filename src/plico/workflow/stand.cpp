@@ -44,4 +44,11 @@ Stand stand_of(const Unfolding& net, const Linkage& linkage, const Mesh& mesh, c
   return stand_by(z_up_from(up) * as_mesh);
 }
 
+std::vector<Pose> standing(std::vector<Pose> poses, char up) {
+  if (up != 'y') return poses;
+  const Pose upright = rotation_about(Vec3::Zero(), Vec3::UnitX(), kPi / 2);
+  for (Pose& pose : poses) pose = upright * pose;
+  return poses;
+}
+
 }  // namespace plico

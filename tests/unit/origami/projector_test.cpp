@@ -144,6 +144,18 @@ TEST(Projector, LimitsHold) {
   EXPECT_GT(found.config.cwiseAbs().maxCoeff(), radians(80));
 }
 
+TEST(Projector, EndsBetweenTwoStepsWhenTheRunIsOverOrItStraysTooFar) {
+  const CreasePattern sheet = miura({.columns = 5, .rows = 4, .zigzag_angle = radians(120)});
+  const Configuration start = Configuration::Constant(make_linkage(sheet).num_hinges(), 0.5);
+  EXPECT_EQ(Projector(sheet).project(start, {}, limited({}, 0)).steps, 0);
+  EXPECT_FALSE(Projector(sheet).project(start, {}, limited({}, 0)).closed);
+  ProjectOptions near;
+  near.most_turn = 1e-3;
+  const Projection strayed = Projector(sheet).project(start, near);
+  EXPECT_EQ(strayed.steps, 1);
+  EXPECT_FALSE(strayed.closed);
+}
+
 TEST(Projector, HeldFacetsStayFlat) {
   const CreasePattern sheet = miura({.columns = 4, .rows = 4, .facet_diagonals = true});
   const Configuration target = goal(make_linkage(sheet));

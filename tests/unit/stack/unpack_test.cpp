@@ -46,15 +46,16 @@ TEST(Peel, OpensAPileIntoTheShape) {
     const Peel found = peel(chain, 1);
     ASSERT_TRUE(found.whole) << thickness;
     EXPECT_EQ(found.opened, chain.num_hinges());
-    int next = 0;
-    for (const PeelStep& step : found.steps) {
-      EXPECT_EQ(step.first, next);
-      for (int i = 0; i < step.angles.front().size(); ++i, ++next) {
-        EXPECT_EQ(step.angles.front()[i], next % 2 ? -kPi : kPi);
-        EXPECT_EQ(step.angles.back()[i], chain.hinges[next].target);
-      }
+    Configuration state(chain.num_hinges());
+    for (int h = 0; h < chain.num_hinges(); ++h) state[h] = h % 2 ? -kPi : kPi;
+    ASSERT_EQ(static_cast<int>(found.steps.size()), chain.num_hinges());
+    for (int h = 0; h < chain.num_hinges(); ++h) {
+      const PeelStep& step = found.steps[h];
+      EXPECT_EQ(step.first, h);
+      EXPECT_EQ(step.angles.front(), state.segment(h, step.angles.front().size())) << "goes on where it was left";
+      EXPECT_EQ(step.angles.back()[0], chain.hinges[h].target);
+      state.segment(h, step.angles.back().size()) = step.angles.back();
     }
-    EXPECT_EQ(next, chain.num_hinges());
   }
 }
 
@@ -64,6 +65,13 @@ TEST(Peel, TheSameChainGivesTheSameSteps) {
   EXPECT_EQ(a.opened, b.opened);
   EXPECT_EQ(a.nodes, b.nodes);
   EXPECT_EQ(a.intervals, b.intervals);
+}
+
+TEST(Peel, GivesUpWhenItsPatienceEnds) {
+  const Linkage chain = chain_around(kBar, 0.2);
+  const Peel found = peel(chain, 1, {.nodes = 5});
+  EXPECT_FALSE(found.whole);
+  EXPECT_LE(found.nodes, 5);
 }
 
 TEST(Peel, SaysHowFarItGotWhenStopped) {
@@ -79,8 +87,10 @@ TEST(Peel, SaysHowFarItGotWhenStopped) {
 TEST(Peel, RefusesOptionsOutOfRange) {
   const Linkage chain = chain_around(kBar, 0.02);
   EXPECT_THROW(peel(chain, 1, {.air = 0}), InvalidOption);
-  EXPECT_THROW(peel(chain, 1, {.widest = 4}), InvalidOption);
+  EXPECT_THROW(peel(chain, 1, {.widest = 5}), InvalidOption);
+  EXPECT_THROW(peel(chain, 1, {.step = 40}), InvalidOption);
   EXPECT_THROW(peel(chain, 1, {.nodes = -1}), InvalidOption);
+  EXPECT_THROW(peel(chain, 1, {.patience = 0}), InvalidOption);
 }
 
 TEST(Unpacking, RunsFromTheStackToTheShapeInIncreasingTime) {

@@ -44,5 +44,29 @@ TEST(VerifyJoints, FindsAJointWithoutArea) {
   EXPECT_EQ(first_code(verify_joints(two_squares(), {{0, 1, {{1, 0, 0}, {2, 0, 0}}}})), "joint/empty");
 }
 
+TEST(VerifyJoints, FindsAnOutlineWithADent) {
+  std::vector<Vec3> dented = kShared;
+  dented.insert(dented.begin() + 1, Vec3(1.5, 0.5, 0));
+  EXPECT_EQ(first_code(verify_joints(two_squares(), {{0, 1, dented}})), "joint/convex");
+}
+
+// The corners of a polygon across the notch of a U lie in the U, but not the polygon.
+TEST(VerifyJoints, FindsAPolygonAcrossANotch) {
+  PolygonSoup soup;
+  soup.points = {{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {2, 3, 0}, {2, 1, 0}, {1, 1, 0},
+                 {1, 3, 0}, {0, 3, 0}, {0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0}};
+  soup.add_face({0, 1, 2, 3, 4, 5, 6, 7});
+  soup.add_face({11, 10, 9, 8});
+  const Mesh mesh(std::move(soup));
+  EXPECT_EQ(first_code(verify_joints(mesh, {{0, 1, {{0.5, 2, 0}, {2.5, 2, 0}, {2.5, 2.5, 0}, {0.5, 2.5, 0}}}})),
+            "joint/outside");
+  EXPECT_EQ(first_code(verify_joints(mesh, {{0, 1, {{0, 0, 0}, {3, 0, 0}, {3, 1, 0}, {0, 1, 0}}}})), "");
+}
+
+TEST(VerifyJoints, FindsFacesThatThereAreNotAndFacesGluedTwice) {
+  EXPECT_EQ(first_code(verify_joints(two_squares(), {{0, 2, kShared}})), "joint/face");
+  EXPECT_EQ(first_code(verify_joints(two_squares(), {{0, 1, kShared}, {0, 1, kShared}})), "joint/twice");
+}
+
 }  // namespace
 }  // namespace plico

@@ -99,5 +99,41 @@ TEST_F(CubeInTwo, NamesThatRepeatAndPiecesOfOthersAreFound) {
   expect_defect("parts/pieces");
 }
 
+TEST_F(CubeInTwo, AnOrderOfAssemblyWithoutEveryPartIsFound) {
+  claim.steps = {2, 1};
+  EXPECT_TRUE(verify_parts(claim, net, mesh).valid());
+  claim.steps = {1, 1};
+  expect_defect("parts/order");
+  claim.steps = {0, 1};
+  expect_defect("parts/order");
+  claim.steps = {1, 3};
+  expect_defect("parts/order");
+}
+
+TEST_F(CubeInTwo, APieceCalledLikeAnotherOrWithoutItsMotionIsFound) {
+  claim.alone.resize(2);
+  claim.alone[net.part[0]].title = "lid";
+  claim.alone[net.part[1]].title = "box";
+  EXPECT_TRUE(verify_parts(claim, net, mesh).valid());
+  claim.folds = {1, 1};
+  expect_defect("parts/motion");
+  claim.folds = {1, 0};
+  EXPECT_TRUE(verify_parts(claim, net, mesh).valid()) << "one panel has no motion";
+  claim.alone[net.part[0]].title = "box";
+  expect_defect("parts/title");
+}
+
+TEST_F(CubeInTwo, SeamsThatNoEdgeIsSaidToHaveAreFound) {
+  claim.seam.assign(claim.seam.size(), 0);
+  net.mate.clear();
+  expect_defect("parts/seam");
+}
+
+TEST_F(CubeInTwo, AJointOfFacesOfOtherPartsIsFound) {
+  claim.joints.push_back({0, 1, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, 1, 0});
+  expect_defect("joint/part");
+  expect_defect("joint/turned");
+}
+
 }  // namespace
 }  // namespace plico

@@ -1,6 +1,7 @@
 #include "plico/io/mesh/mesh_file.h"
 
 #include "plico/base/error.h"
+#include "plico/io/mesh/gltf.h"
 #include "plico/io/mesh/obj.h"
 #include "plico/io/mesh/off.h"
 #include "plico/io/mesh/ply.h"
@@ -21,6 +22,8 @@ MeshSource read_as(std::string_view bytes, MeshFormat format, const std::string&
       return read_stl(bytes, name);
     case MeshFormat::Ply:
       return read_ply(bytes, name);
+    case MeshFormat::Gltf:
+      return read_gltf(bytes, name);
   }
   return {};
 }
@@ -39,7 +42,7 @@ bool looks_like_obj(std::string_view bytes) {
 }  // namespace
 
 std::string_view name(MeshFormat format) {
-  constexpr std::string_view kNames[] = {"OBJ", "OFF", "STL", "PLY"};
+  constexpr std::string_view kNames[] = {"OBJ", "OFF", "STL", "PLY", "glTF"};
   return kNames[static_cast<int>(format)];
 }
 
@@ -49,11 +52,13 @@ std::optional<MeshFormat> mesh_format_of(const std::string& path) {
   if (ext == "off") return MeshFormat::Off;
   if (ext == "stl") return MeshFormat::Stl;
   if (ext == "ply") return MeshFormat::Ply;
+  if (ext == "glb" || ext == "gltf") return MeshFormat::Gltf;
   return {};
 }
 
 std::optional<MeshFormat> sniff_mesh_format(std::string_view bytes) {
   if (is_binary_stl(bytes)) return MeshFormat::Stl;
+  if (is_glb(bytes)) return MeshFormat::Gltf;
   const std::string_view first = bytes.substr(0, bytes.find_first_of(" \t\r\n"));
   if (first == "ply") return MeshFormat::Ply;
   if (first == "solid") return MeshFormat::Stl;
@@ -71,8 +76,9 @@ MeshSource read_mesh_source(std::string_view bytes, const std::string& name) {
   const auto sniffed = sniff_mesh_format(bytes);
   const auto format = mesh_format_of(name) ? mesh_format_of(name) : sniffed;
   if (!format)
-    throw InvalidInput("read/format", fmt::format("{} is none of OBJ, OFF, STL and PLY, by name or contents", name),
-                       name, "save the mesh as OBJ");
+    throw InvalidInput("read/format",
+                       fmt::format("{} is none of OBJ, OFF, STL, PLY and glTF, by name or contents", name), name,
+                       "save the mesh as OBJ");
   try {
     return read_as(bytes, *format, name);
   } catch (const InvalidInput& error) {
@@ -112,6 +118,8 @@ std::string write_mesh(const PolygonSoup& soup, MeshFormat format) {
       return write_stl(soup);
     case MeshFormat::Ply:
       return write_ply(soup);
+    case MeshFormat::Gltf:
+      throw InvalidOption("meshes are not written as glTF", "write OBJ, OFF, STL or PLY");
   }
   return {};
 }

@@ -1,4 +1,4 @@
-// Meshes in files of any kind we know: OBJ, OFF, STL, PLY.
+// Meshes in files of any kind we know: OBJ, OFF, STL, PLY, and glTF to read.
 #pragma once
 #include <optional>
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace plico {
 
-enum class MeshFormat { Obj, Off, Stl, Ply };
+enum class MeshFormat { Obj, Off, Stl, Ply, Gltf };
 std::string_view name(MeshFormat format);                             // "OBJ"
 std::optional<MeshFormat> mesh_format_of(const std::string& path);    // by the extension
 std::optional<MeshFormat> sniff_mesh_format(std::string_view bytes);  // by the contents
@@ -30,7 +30,7 @@ Mesh to_mesh(MeshSource source, const CheckOptions& options = {.self_intersectio
 Mesh load_mesh(const std::string& path);
 
 // The bytes of a file of that format; PLY binary, STL binary. Every format but STL keeps every double and every
-// polygon; STL stores 32-bit floats and triangles.
+// polygon; STL stores 32-bit floats and triangles. glTF is not written: throws InvalidOption.
 std::string write_mesh(const PolygonSoup& soup, MeshFormat format);
 
 }  // namespace plico

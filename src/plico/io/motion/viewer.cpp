@@ -56,6 +56,16 @@ void add_tree(Json& data, const Linkage& linkage) {
     data["seams"].push_back({seam.panel_a, seam.side_a, seam.panel_b, seam.side_b});
 }
 
+// Numbers and letters of the pages, so that one can look up in space where a part goes.
+void add_ids(Json& data, const ViewerInput& input) {
+  const std::size_t n = input.linkage.panels.size();
+  const auto fits = [n](const auto& list) { return list.empty() || list.size() == n; };
+  if (!fits(input.side_ids) || !fits(input.part_of_panel))
+    throw InvalidInput("viewer/ids", fmt::format("ids of {} panels for {}", input.side_ids.size(), n));
+  data["sideIds"] = input.side_ids;
+  data["partOf"] = input.part_of_panel;
+}
+
 // The moment at which everything is folded.
 double folded_at(const ViewerInput& input) { return input.home.empty() ? 1 : 0.7; }
 
@@ -180,6 +190,7 @@ std::string viewer_page(const ViewerInput& input) {
   data["stand"] = {{"axis", list(input.stand.axis)}, {"angle", input.stand.angle}};
   add_panels(data, input.linkage);
   add_tree(data, input.linkage);
+  add_ids(data, input);
   add_motion(data, input);
   require_within_limits(input.linkage, input.path ? *input.path : linear_path(input.linkage));
   add_proof(data, input);

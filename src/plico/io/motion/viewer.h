@@ -33,6 +33,11 @@ struct ViewerInput {
   std::string proof_note;  // one sentence about how it was proven
   std::vector<ViewerCollision> collisions;
 
+  // As on the printed pages: of each side of each panel what it is glued to ("12", "B3"; "" for none), and the letter
+  // of each panel's part. Empty when there are no pages.
+  std::vector<std::vector<std::string>> side_ids;
+  std::vector<std::string> part_of_panel;
+
   std::string report;                                         // one JSON object, shown as a table; empty for none
   std::vector<std::pair<std::string, std::string>> links;     // label and address of files beside the page
   std::vector<std::pair<std::string, std::string>> pictures;  // caption and bytes of PNG files, shown below the views

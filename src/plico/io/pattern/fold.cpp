@@ -7,6 +7,7 @@
 
 #include "plico/base/error.h"
 #include "plico/base/version.h"
+#include "plico/fold/net_piece.h"
 #include "plico/io/text/json_text.h"
 
 namespace plico {
@@ -99,21 +100,22 @@ void write_faces(JsonText& json, const Unfolding& net) {
   if (net.num_parts() > 1) write_integers(json, "faces_plico:part", net.part);
 }
 
-void open_spatial_frame(JsonText& json) {
+// About the frame `parent`, 0 being the key frame.
+void open_spatial_frame(JsonText& json, int parent = 0) {
   json.open();
   json.key("frame_classes");
   json.raw("[\"foldedForm\"]");
   json.key("frame_attributes");
   json.raw("[\"3D\"]");
   json.key("frame_parent");
-  json.raw("0");
+  json.integer(parent);
   json.key("frame_inherit");
   json.raw("true");
 }
 
 void write_waypoint(JsonText& json, const Waypoint& waypoint, const std::vector<Vec3>& points,
-                    const std::vector<int>& hinge) {
-  open_spatial_frame(json);
+                    const std::vector<int>& hinge, int parent) {
+  open_spatial_frame(json, parent);
   json.key("plico:time");
   json.number(waypoint.time);
   std::vector<double> angles;
@@ -123,37 +125,115 @@ void write_waypoint(JsonText& json, const Waypoint& waypoint, const std::vector<
   json.close();
 }
 
-void write_frames(JsonText& json, const FoldFile& file) {
-  if (file.folded.empty() && !file.path && file.other_frames.empty()) return;
-  json.key("file_frames");
-  std::string comma = "[";
-  const auto next = [&] {
-    json.raw(comma);
-    comma = ",\n";
-  };
-  if (!file.folded.empty()) {
-    next();
-    open_spatial_frame(json);
-    write_points(json, file.folded);
-    json.close();
+void write_other(JsonText& json, const std::vector<std::pair<std::string, std::string>>& other) {
+  for (const auto& [key, value] : other) {
+    json.quoted_key(json_string(key));
+    json.raw(value);
   }
-  if (file.path) {
-    const std::vector<int> hinge = hinge_of_edge(file.net.sheet);
-    for (std::size_t i = 0; i < file.path->waypoints.size(); ++i) {
+}
+
+void write_piece(JsonText& json, const FoldPiece& piece, const Unfolding& net, int number) {
+  json.open();
+  if (!piece.title.empty()) {
+    json.key("frame_title");
+    json.raw(json_string(piece.title));
+  }
+  json.key("frame_classes");
+  json.raw("[\"creasePattern\"]");
+  json.key("frame_attributes");
+  json.raw("[\"2D\"]");
+  json.key("plico:piece");
+  json.integer(number);
+  write_vertices(json, net);
+  write_edges(json, net);
+  write_faces(json, net);
+  write_other(json, piece.other);
+  json.close();
+}
+
+// The array file_frames; a frame knows its number, so that others can be about it.
+class FrameWriter {
+ public:
+  FrameWriter(JsonText& json, const FoldFile& file) : json_(json), file_(file) {}
+
+  void write() {
+    if (file_.folded.empty() && !file_.path && file_.pieces.empty() && file_.other_frames.empty()) return;
+    json_.key("file_frames");
+    json_.raw("[");
+    if (!file_.folded.empty()) write_folded_form();
+    if (!file_.pieces.empty())
+      write_pieces();
+    else if (file_.path)
+      write_motion(*file_.path, file_.path_points, hinge_of_edge(file_.net.sheet), 0);
+    for (const std::string& frame : file_.other_frames) {
       next();
-      write_waypoint(json, file.path->waypoints[i], file.path_points[i], hinge);
+      json_.raw(frame);
+    }
+    json_.raw("]");
+  }
+
+ private:
+  void next() {
+    if (written_++ > 0) json_.raw(",\n");
+  }
+
+  void write_folded_form() {
+    next();
+    open_spatial_frame(json_);
+    write_points(json_, file_.folded);
+    json_.close();
+  }
+
+  void write_motion(const FoldingPath& path, const std::vector<std::vector<Vec3>>& points,
+                    const std::vector<int>& hinge, int parent) {
+    for (std::size_t i = 0; i < path.waypoints.size(); ++i) {
+      next();
+      write_waypoint(json_, path.waypoints[i], points[i], hinge, parent);
     }
   }
-  for (const std::string& frame : file.other_frames) {
-    next();
-    json.raw(frame);
+
+  void write_pieces() {
+    const std::vector<NetPiece> pieces = pieces_of(file_.net);
+    PLICO_ASSERT(pieces.size() == file_.pieces.size());
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      const FoldPiece& piece = file_.pieces[i];
+      next();
+      write_piece(json_, piece, pieces[i].net, static_cast<int>(i));
+      if (piece.path) write_motion(*piece.path, piece.points, hinge_of_edge(pieces[i].net.sheet), written_);
+    }
   }
-  json.raw("]");
+
+  JsonText& json_;
+  const FoldFile& file_;
+  int written_ = 0;  // frames; the last one has this number, since the key frame is 0
+};
+
+std::string_view classes_of(const FoldFile& file) {
+  if (file.pieces.empty()) return file.path ? "[\"animation\"]" : "[\"singleModel\"]";
+  return file.path ? "[\"multiModel\",\"animation\"]" : "[\"multiModel\"]";
 }
 
 // Undirected, for sorting.
 std::uint64_t edge_key(int a, int b) {
   return static_cast<std::uint64_t>(std::min(a, b)) << 32 | static_cast<std::uint64_t>(std::max(a, b));
+}
+
+// Every piece of a kit does what it does in the motion of the whole, which it then has from its pieces.
+void share_motion(FoldFile& file) {
+  const std::vector<NetPiece> pieces = pieces_of(file.net);
+  PLICO_ASSERT(pieces.size() == file.pieces.size());
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    FoldPiece& piece = file.pieces[i];
+    piece.points.clear();
+    piece.path.reset();
+    if (pieces[i].hinge.empty()) continue;
+    piece.path = path_of_piece(pieces[i], *file.path);
+    for (const std::vector<Vec3>& all : file.path_points) {
+      std::vector<Vec3>& points = piece.points.emplace_back();
+      for (int v : pieces[i].vertex) points.push_back(all[v]);
+    }
+  }
+  file.path_points.clear();
 }
 
 }  // namespace
@@ -181,6 +261,7 @@ void set_sheet(FoldFile& file, const CreasePattern& sheet) {
   file.net.sheet = sheet;
   file.net.part = parts_of(sheet);
   file.net.mate.clear();
+  file.pieces.clear();
   file.path.reset();
   file.path_points.clear();
 }
@@ -201,6 +282,7 @@ void set_path(FoldFile& file, const Linkage& linkage, const FoldingPath& path) {
       points.push_back(panel_of[v] < 0 ? flat : Vec3(poses[panel_of[v]] * flat));
     }
   }
+  if (!file.pieces.empty()) share_motion(file);
 }
 
 Mesh folded_mesh(const FoldFile& file) {
@@ -267,7 +349,7 @@ std::string write_fold(const FoldFile& file) {
   json.key("file_creator");
   json.raw(fmt::format("\"plico {}\"", version()));
   json.key("file_classes");
-  json.raw(file.path ? "[\"animation\"]" : "[\"singleModel\"]");
+  json.raw(classes_of(file));
   json.key("frame_classes");
   json.raw("[\"creasePattern\"]");
   json.key("frame_attributes");
@@ -281,11 +363,8 @@ std::string write_fold(const FoldFile& file) {
     json.key("plico:report");
     json.raw(file.report);
   }
-  for (const auto& [key, value] : file.other) {
-    json.quoted_key(json_string(key));
-    json.raw(value);
-  }
-  write_frames(json, file);
+  write_other(json, file.other);
+  FrameWriter(json, file).write();
   json.close();
   json.raw("\n");
   return json.take();

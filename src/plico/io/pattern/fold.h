@@ -12,6 +12,14 @@
 
 namespace plico {
 
+// A piece of a kit, one part of the net, which folds by itself.
+struct FoldPiece {
+  std::string title;                // what it is called; may be empty
+  std::optional<FoldingPath> path;  // its own motion: fold angles of its hinges, in the order of the whole linkage
+  std::vector<std::vector<Vec3>> points;  // its vertices in space for every waypoint, in the order of the sheet
+  std::vector<std::pair<std::string, std::string>> other;  // keys of its frame that mean nothing to us
+};
+
 // Everything a .fold file says. JSON that is not ours is kept as text, so that reading and writing loses nothing.
 struct FoldFile {
   // The flat sheet (the key frame). mesh_face and mesh_vertex are empty when it came from no mesh; mesh_edge is not in
@@ -25,6 +33,8 @@ struct FoldFile {
   // vertices in space (n x 3).
   std::optional<FoldingPath> path;
   std::vector<std::vector<Vec3>> path_points;
+
+  std::vector<FoldPiece> pieces;  // of a kit, one for each part of the net; files of one piece have none
 
   std::string report;  // plico:report, one JSON object; empty when there is none
 
@@ -45,11 +55,11 @@ FoldFile fold_file(const Mesh& mesh, const Unfolding& unfolding);
 FoldFile fold_file(const CreasePattern& sheet);
 
 // The sheet that a motion folds takes the place of the one drawn, as when its panels were cut or its vertices moved.
-// Seams and the motion of the old one go.
+// Seams, pieces and the motion of the old one go.
 void set_sheet(FoldFile& file, const CreasePattern& sheet);
 
 // Sets the motion and computes where it takes the vertices; the roots of `linkage`, made from the file's sheet, stay in
-// their flat places.
+// their flat places. Of a kit every piece gets its share.
 void set_path(FoldFile& file, const Linkage& linkage, const FoldingPath& path);
 
 // The mesh that the folded form of a net shows: face mesh_face[f] and vertex mesh_vertex[v] of the mesh it came from.

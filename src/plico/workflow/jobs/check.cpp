@@ -118,8 +118,8 @@ Job check_job() {
       .flag("--repair", "write a mesh without the errors", args->repair)
       .flag("--strict", "warnings count as errors", args->strict)
       .option("--planarity", "X", "how far a corner may be off its polygon's plane, as part of the polygon's size",
-              args->check.planarity)
-      .option("--max-faces", "N", "refuse meshes with more faces", args->check.max_faces)
+              args->check.planarity, above(0))
+      .option("--max-faces", "N", "refuse meshes with more faces", args->check.max_faces, at_least(1))
       .action([args](Session& session) { return run(*args, session); });
 }
 

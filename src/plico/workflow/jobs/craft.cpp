@@ -75,13 +75,18 @@ void print_pieces(const Session& session, const Mesh& mesh, const Kit& kit) {
   session.print(fmt::format("build     {}\n", order));
 }
 
-void print_result(const Session& session, const std::string& folder, const Mesh& mesh, const CraftResult& result) {
+void print_result(const CraftArgs& args, const Session& session, const std::string& folder, const Mesh& mesh,
+                  const CraftResult& result) {
   session.print(fmt::format("net        {} panels, {} {}, {}\n", result.verdict.panels, result.verdict.parts,
                             result.verdict.parts == 1 ? "part" : "parts",
                             result.verdict.valid() ? "verified free of overlap" : "NOT verified"));
   session.print(fmt::format("motion     {}\n", motion_text(result)));
   if (result.kit) print_pieces(session, mesh, *result.kit);
-  session.print(layout_text(result.layout.report));
+  if (result.drawn)
+    session.print(layout_text(result.layout.report));
+  else
+    session.print(fmt::format("pages      none, as the time was over; plico print {}/{}.fold makes them\n", folder,
+                              stem(args.mesh)));
   session.print(fmt::format("files      {}: ", folder));
   for (const CraftFile& file : result.files) session.print(fmt::format("{} ", file.name));
   session.print("\n");
@@ -141,8 +146,8 @@ int write_result(const CraftArgs& args, const Mesh& mesh, const std::string& fol
                  Session& session) {
   for (const CraftFile& file : result.files) session.write(folder + "/" + file.name, file.bytes);
   session.report()["craft"] = craft_report(mesh, result);
-  print_result(session, folder, mesh, result);
-  if (!args.shells) warn_of_small_edges(session, result);
+  print_result(args, session, folder, mesh, result);
+  if (!args.shells && result.drawn) warn_of_small_edges(session, result);
   for (const Defect& defect : result.verdict.defects) session.warn(defect.message);
   for (const Defect& defect : result.joint_defects) session.warn(defect.message);
   for (const std::string& problem : result.layout_verdict.problems) session.warn(problem);
@@ -171,6 +176,7 @@ int craft_file(const CraftArgs& args, Session& session) {
   Mesh given = read_mesh(args.mesh, args.repair, session);
   const std::string folder = session.output_folder(stem(args.mesh));
   const Mesh mesh = mesh_to_craft(std::move(given), args, session);
+  warn_of_many_faces(mesh, args.mesh, session);
   CraftOptions options = craft_options(args, session);
   options.layout.size.up = up_axis(args.print.up, mesh, session);
   return write_result(args, mesh, folder, craft(mesh, options, session.run()), session);
@@ -189,7 +195,7 @@ Job craft_job() {
       .example("plico craft bird.obj --foldable none --split -o bird", "any net, cut where it does not fit a page")
       .positional("mesh", "OBJ, OFF, STL or PLY file; '-' is standard input", args->mesh)
       .option("--faces", "N", "simplify the mesh to so many triangles first, as plico simplify does; 0: as it is",
-              args->faces)
+              args->faces, at_least(0))
       .choice("--coplanar", "neighbouring faces in one plane are one panel, or kept as they are", args->coplanar,
               {"join", "keep"})
       .choice("--foldable", "look for a net whose linear or uniform motion is proven free of collision", args->foldable,
@@ -203,7 +209,8 @@ Job craft_job() {
       .flag("--shells",
             "convex pieces, glued face to face: one for each part of the shape, or each nearly convex part of one mesh",
             args->shells)
-      .option("--concavity", "X", "of those nearly convex parts, as for plico segment --by convexity", args->concavity);
+      .option("--concavity", "X", "of those nearly convex parts, as for plico segment --by convexity", args->concavity,
+              above(0));
   add_repair_option(job, args->repair);
   add_print_options(job, args->print);
   job.action([args](Session& session) { return craft_file(*args, session); });

@@ -28,6 +28,7 @@
 #include "plico/workflow/jobs/print_options.h"
 #include "plico/workflow/jobs/read_sheet.h"
 #include "plico/workflow/jobs/session.h"
+#include "plico/workflow/parts_file.h"
 #include "plico/workflow/show_proof.h"
 #include "plico/workflow/stack_views.h"
 #include "plico/workflow/stand.h"
@@ -54,6 +55,7 @@ struct LoadedMotion {
   std::string title;
   std::optional<ChainClaim> chain = {};  // of thick squares
   Stand stand = {};                      // of a net that knows its mesh
+  std::vector<Pose> home = {};           // of every panel, of pieces that are glued face to face
 };
 
 // A chain of thick squares never lies flat; without a motion all there is to show is its shape.
@@ -81,7 +83,10 @@ LoadedMotion read_motion(const ExportArgs& args, Session& session) {
   if (args.up == "sheet" || file.folded.empty() || file.net.mesh_face.empty() || file.net.mesh_vertex.empty())
     return motion;
   const Mesh mesh = folded_mesh(file);
-  motion.stand = stand_of(file.net, motion.linkage, mesh, up_axis(args.up, mesh, session));
+  const char up = up_axis(args.up, mesh, session);
+  motion.stand = stand_of(file.net, motion.linkage, mesh, up);
+  if (const std::optional<PartsClaim> parts = parts_claim(file); parts && !joints_of(*parts, mesh).empty())
+    motion.home = standing(assembled(mesh, file.net), up);
   return motion;
 }
 
@@ -166,6 +171,7 @@ std::string page(const LoadedMotion& motion, Session& session) {
   input.linkage = motion.linkage;
   input.path = motion.path;
   input.stand = motion.stand;
+  input.home = motion.home;
   input.motion = motion.file.path ? planner_of(motion.file) : "linear";
   input.report = motion.file.report;
   if (motion.chain) {
@@ -243,18 +249,18 @@ Job export_job() {
               args->title)
       .choice("--up", "axis of the mesh along which pages and pictures let the model stand; sheet: as the net lies",
               args->up, {"auto", "y", "z", "sheet"})
-      .option("--at", "TIME", "moment of a picture: 0 flat, 1 folded", args->at)
-      .option("--picture-width", "PIXELS", "of a picture, in [16, 8192]", args->width)
-      .option("--picture-height", "PIXELS", "of a picture, in [16, 8192]", args->height)
+      .option("--at", "TIME", "moment of a picture: 0 flat, 1 folded", args->at, {0, 1})
+      .option("--picture-width", "PIXELS", "of a picture", args->width, {16, 8192})
+      .option("--picture-height", "PIXELS", "of a picture", args->height, {16, 8192})
       .angle("--azimuth", "camera of a picture, around the sheet", args->azimuth)
       .angle("--elevation", "camera of a picture, above the sheet's plane", args->elevation)
       .flag("--transparent", "a picture without background and shadow", args->transparent)
       .length("--longest", "of a robot model: longest side when folded; else a unit is what the file says, or 1 mm",
-              args->longest_mm)
-      .option("--seconds", "SECONDS", "how long an animation or a trajectory lasts", args->seconds)
-      .option("--grammage", "G_PER_M2", "mass of the sheet in a robot model", args->grams_per_square_metre)
+              args->longest_mm, above(0))
+      .option("--seconds", "SECONDS", "how long an animation or a trajectory lasts", args->seconds, above(0))
+      .option("--grammage", "G_PER_M2", "mass of the sheet in a robot model", args->grams_per_square_metre, above(0))
       .option("--sheet-thickness", "MM", "thickness of panels in a robot model when the linkage has none",
-              args->sheet_thickness_mm)
+              args->sheet_thickness_mm, above(0))
       .action([args](Session& session) { return export_file(*args, session); });
 }
 

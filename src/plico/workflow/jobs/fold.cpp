@@ -9,12 +9,14 @@
 
 #include "plico/base/error.h"
 #include "plico/io/pattern/fold.h"
+#include "plico/workflow/jobs/first_try.h"
 #include "plico/workflow/jobs/jobs.h"
 #include "plico/workflow/jobs/motion_report.h"
 #include "plico/workflow/jobs/read_sheet.h"
 #include "plico/workflow/jobs/session.h"
 #include "plico/workflow/plan_drawn.h"
 #include "plico/workflow/plan_origami.h"
+#include "plico/workflow/plan_pieces.h"
 
 namespace plico::jobs {
 namespace {
@@ -75,7 +77,8 @@ MotionOutcome plan(const FoldFile& file, const Linkage& linkage, const FoldArgs&
   }
   if (args.grouped || !args.reuse.empty() || !args.through.empty())
     throw InvalidOption("--grouped, --reuse and --through are for crease patterns with loops; this sheet has none");
-  return plico::plan(linkage, options, session.run());
+  return file.pieces.empty() ? plico::plan(linkage, options, session.run())
+                             : plan_pieces(file.net, options, session.run());
 }
 
 // "motion.fold", "motion-2.fold", ...: alternatives stand beside the first.
@@ -117,6 +120,10 @@ int fold_file(const FoldArgs& args, Session& session) {
   FoldFile file = read_sheet(args.net, session, args.drawing);
   narrow_limits(file.net.sheet, args.max_fold_angle);
   Linkage linkage = make_linkage(file.net.sheet, file.net.mate);
+  const CreasePattern drawn = file.net.sheet;
+  if (const int free = num_unassigned(drawn); free > 0)
+    session.say(fmt::format("{} crease{} no mountain or valley: plico origami assign {} -o assigned.fold finds some",
+                            free, free == 1 ? " has" : "s have", args.net));
   const MotionOutcome outcome = plan(file, linkage, args, session);
   if (outcome.sheet) {
     set_sheet(file, *outcome.sheet);
@@ -141,6 +148,7 @@ int fold_file(const FoldArgs& args, Session& session) {
     if (share < 1) session.say(fmt::format("reached {:.4g} % of the way to the goal", 100 * share));
     session.report()["progress"] = share;
     for (const std::string& note : outcome.notes) session.report()["notes"].push_back(note);
+    if (!outcome.proven() || share < kStaysFlat) session.say(tell_what_stops(drawn, outcome, args.net));
   }
   session.report()["panels"] = linkage.num_panels();
   session.report()["hinges"] = linkage.num_hinges();
@@ -168,22 +176,22 @@ Job fold_job() {
           .choice("--planner", "auto tries linear, then uniform, then lazy-prm; with loops continuation, then md-frog",
                   args->planner, motion_methods())
           .option("--alternatives", "N", "motions wanted; written beside the first as NAME-2.fold, ...",
-                  args->alternatives)
+                  args->alternatives, at_least(1))
           .flag("--grouped", "with loops: creases that are alike by symmetry turn together", args->grouped)
           .option("--reuse", "FILE", "with loops: the motion of a smaller piece of the same tessellation, carried over",
                   args->reuse)
           .option("--through", "FILE", "with loops: a state to pass, the goal of FILE; may be repeated", args->through)
           .option("--clearance", "LENGTH", "how far panels are shrunk, in the file's unit; 0: 1/1000 of the mean side",
-                  args->clearance)
+                  args->clearance, at_least(0))
           .option("--waypoints", "N",
                   "with loops: waypoints aimed at; more are inserted where hinges would open between them",
-                  args->waypoints)
+                  args->waypoints, at_least(1))
           .choice(
               "--facets",
               "with loops: cut panels by flat creases along which they bend: when whole ones stop early, never, all",
               args->facets, facet_policies())
           .angle("--max-fold-angle", "largest fold angle that the material allows; the file may limit each crease",
-                 args->max_fold_angle)
+                 args->max_fold_angle, {0, 180})
           .action([args](Session& session) { return fold_file(*args, session); });
   add_drawing_options(job, args->drawing);
   return job;

@@ -116,7 +116,8 @@ Job inflate_job() {
       .option("--until-hyperbolic", "N", "stop when no more vertices are hyperbolic: a number, or a share as 10%",
               args->until)
       .option("--max-growth", "SHARE", "of the volume: 5% or 0.05", args->growth)
-      .option("--pressure", "P", "stop at this pressure; 0: where the other limits stop it", args->options.pressure)
+      .option("--pressure", "P", "stop at this pressure; 0: where the other limits stop it", args->options.pressure,
+              at_least(0))
       .option("--keep", "FACE", "number of a face that must not move, from 0; repeatable", args->keep)
       .flag("--uniform", "no edge is stiff and no vertex is drawn back to its place", args->uniform)
       .option("--flattening", "W",

@@ -14,7 +14,7 @@
 namespace plico::jobs {
 namespace {
 
-struct Range {
+struct Spread {
   double min = std::numeric_limits<double>::infinity(), max = -min, sum = 0;
   int count = 0;
   void add(double x) {
@@ -26,18 +26,18 @@ struct Range {
   double mean() const { return count == 0 ? 0 : sum / count; }
 };
 
-nlohmann::json to_json(const Range& range) {
-  if (range.count == 0) return nullptr;
-  return {{"min", range.min}, {"mean", range.mean()}, {"max", range.max}};
+nlohmann::json to_json(const Spread& spread) {
+  if (spread.count == 0) return nullptr;
+  return {{"min", spread.min}, {"mean", spread.mean()}, {"max", spread.max}};
 }
 
-std::string text(const Range& range) {
-  if (range.count == 0) return "none";
-  return fmt::format("{:.4g} to {:.4g}, mean {:.4g}", range.min, range.max, range.mean());
+std::string text(const Spread& spread) {
+  if (spread.count == 0) return "none";
+  return fmt::format("{:.4g} to {:.4g}, mean {:.4g}", spread.min, spread.max, spread.mean());
 }
 
 struct Folds {
-  Range angle_deg;  // of the interior edges
+  Spread angle_deg;  // of the interior edges
   int mountains = 0, valleys = 0, flat = 0, boundary = 0;
 };
 
@@ -74,7 +74,7 @@ struct MeshFacts {
   int components, genus, boundary_loops;
   bool closed, convex;
   Folds folds;
-  Range edge_length;
+  Spread edge_length;
   std::vector<int> hyperbolic;
   Eigen::AlignedBox3d box;
   double area, volume;

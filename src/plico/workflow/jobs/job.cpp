@@ -45,6 +45,16 @@ Option row(const std::string& flags, const std::string& value, const std::string
   return option;
 }
 
+// `read` sets the target and returns the number in the option's unit.
+template <class Read>
+void set_number(Option& option, const Range& range, const Read& read) {
+  option.range = range;
+  option.set = [read, range, unit = option.unit](const std::string& text) {
+    if (!range.holds(static_cast<double>(read(text))))
+      throw InvalidOption(fmt::format("{} must be {}{}{}", text, range.in_words(), unit.empty() ? "" : " ", unit));
+  };
+}
+
 std::string help_of(const Job& job) { return fmt::format("plico {} --help", job.name); }
 
 void set(const Option& option, const std::string& value) {
@@ -64,6 +74,14 @@ void check_count(const Job& job, const Option& option, std::ptrdiff_t times) {
 }
 
 }  // namespace
+
+bool Range::is_bounded() const { return std::isfinite(least) || std::isfinite(most); }
+
+std::string Range::in_words() const {
+  if (std::isinf(most)) return fmt::format("{} {:.10g}", with_least ? "at least" : "above", least);
+  if (std::isinf(least)) return fmt::format("{} {:.10g}", with_most ? "at most" : "below", most);
+  return fmt::format("in {}{:.10g}, {:.10g}{}", with_least ? '[' : '(', least, most, with_most ? ']' : ')');
+}
 
 Job::Job(std::string job_name, std::string job_summary) : name(std::move(job_name)), summary(std::move(job_summary)) {}
 
@@ -115,26 +133,31 @@ Job& Job::option(const std::string& flags, const std::string& value, const std::
   return add(std::move(option));
 }
 
-Job& Job::option(const std::string& flags, const std::string& value, const std::string& help, int& target) {
+Job& Job::option(const std::string& flags, const std::string& value, const std::string& help, int& target,
+                 Range range) {
   Option option = row(flags, value, help);
   option.shown_default = std::to_string(target);
-  option.set = [&target](const std::string& text) { target = parse_number<int>(text, "a whole number"); };
+  set_number(option, range,
+             [&target](const std::string& text) { return target = parse_number<int>(text, "a whole number"); });
   return add(std::move(option));
 }
 
-Job& Job::option(const std::string& flags, const std::string& value, const std::string& help, double& target) {
+Job& Job::option(const std::string& flags, const std::string& value, const std::string& help, double& target,
+                 Range range) {
   Option option = row(flags, value, help);
   option.shown_default = shown(target, 1, "");
-  option.set = [&target](const std::string& text) { target = parse_number<double>(text, "a number"); };
+  set_number(option, range,
+             [&target](const std::string& text) { return target = parse_number<double>(text, "a number"); });
   return add(std::move(option));
 }
 
-Job& Job::option(const std::string& flags, const std::string& value, const std::string& help, std::uint64_t& target) {
+Job& Job::option(const std::string& flags, const std::string& value, const std::string& help, std::uint64_t& target,
+                 Range range) {
   Option option = row(flags, value, help);
   option.shown_default = std::to_string(target);
-  option.set = [&target](const std::string& text) {
-    target = parse_number<std::uint64_t>(text, "a whole number from 0 on");
-  };
+  set_number(option, range, [&target](const std::string& text) {
+    return target = parse_number<std::uint64_t>(text, "a whole number from 0 on");
+  });
   return add(std::move(option));
 }
 
@@ -166,27 +189,29 @@ Job& Job::choice(const std::string& flags, const std::string& help, std::string&
   return add(std::move(option));
 }
 
-Job& Job::length(const std::string& flags, const std::string& help, double& target_mm) {
+Job& Job::length(const std::string& flags, const std::string& help, double& target_mm, Range range) {
   Option option = row(flags, "LENGTH", help);
   option.unit = "mm";
   option.shown_default = shown(target_mm, 1, "mm");
-  option.set = [&target_mm](const std::string& text) { target_mm = parse_length_mm(text); };
+  set_number(option, range, [&target_mm](const std::string& text) { return target_mm = parse_length_mm(text); });
   return add(std::move(option));
 }
 
-Job& Job::angle(const std::string& flags, const std::string& help, double& target_radians) {
+Job& Job::angle(const std::string& flags, const std::string& help, double& target_radians, Range range) {
   Option option = row(flags, "ANGLE", help);
   option.unit = "deg";
   option.shown_default = shown(target_radians, kPi / 180, "deg");
-  option.set = [&target_radians](const std::string& text) { target_radians = parse_angle(text); };
+  set_number(option, range,
+             [&target_radians](const std::string& text) { return degrees(target_radians = parse_angle(text)); });
   return add(std::move(option));
 }
 
-Job& Job::duration(const std::string& flags, const std::string& help, double& target_seconds) {
+Job& Job::duration(const std::string& flags, const std::string& help, double& target_seconds, Range range) {
   Option option = row(flags, "TIME", help);
   option.unit = "s";
   if (target_seconds > 0) option.shown_default = shown(target_seconds, 1, "s");
-  option.set = [&target_seconds](const std::string& text) { target_seconds = parse_duration(text); };
+  set_number(option, range,
+             [&target_seconds](const std::string& text) { return target_seconds = parse_duration(text); });
   return add(std::move(option));
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +11,19 @@
 namespace plico::jobs {
 
 class Session;
+
+// Numbers that an option takes, in its unit. The library checks what it is given by itself; this says it before any
+// file is read, and to forms.
+struct Range {
+  double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();
+  bool with_least = true, with_most = true;  // whether the bounds themselves are taken
+
+  bool holds(double x) const { return (with_least ? x >= least : x > least) && (with_most ? x <= most : x < most); }
+  bool is_bounded() const;
+  std::string in_words() const;  // "at least 1", "above 0", "in [0, 1)"; not of a range without bounds
+};
+inline Range at_least(double least) { return {.least = least}; }
+inline Range above(double least) { return {.least = least, .with_least = false}; }
 
 struct Option {
   std::vector<std::string> names;  // "-o", "--output"; a positional has one name without dashes
@@ -21,6 +35,7 @@ struct Option {
   bool required = false;
   bool repeatable = false;
   std::function<void(const std::string&)> set;  // throws InvalidOption; a flag is set with "true"
+  Range range;                                  // of numbers: nothing else is taken
 
   bool is_positional() const { return !names.front().starts_with('-'); }
   bool is_flag() const { return !is_positional() && value.empty(); }
@@ -44,24 +59,27 @@ class Job {
   Job& positional(const std::string& name, const std::string& help, std::string& target, bool required = true);
   Job& positional(const std::string& name, const std::string& help, std::vector<std::string>& target);
 
-  // `flags` is "-o,--output"; the default shown is the target's value now. Numbers must be finite and in the type's
-  // range.
+  // `flags` is "-o,--output"; the default shown is the target's value now. Numbers must be finite, and in the range of
+  // the type and of the option.
   Job& flag(const std::string& flags, const std::string& help, bool& target);
   Job& count(const std::string& flags, const std::string& help, int& target);  // a flag that may be repeated
   Job& option(const std::string& flags, const std::string& value, const std::string& help, std::string& target);
-  Job& option(const std::string& flags, const std::string& value, const std::string& help, int& target);
-  Job& option(const std::string& flags, const std::string& value, const std::string& help, double& target);
-  Job& option(const std::string& flags, const std::string& value, const std::string& help, std::uint64_t& target);
+  Job& option(const std::string& flags, const std::string& value, const std::string& help, int& target,
+              Range range = {});
+  Job& option(const std::string& flags, const std::string& value, const std::string& help, double& target,
+              Range range = {});
+  Job& option(const std::string& flags, const std::string& value, const std::string& help, std::uint64_t& target,
+              Range range = {});
   Job& option(const std::string& flags, const std::string& value, const std::string& help,
               std::vector<std::string>& target);
   // One of a few names; "shell" without dashes makes it a positional.
   Job& choice(const std::string& flags, const std::string& help, std::string& target, std::vector<std::string> choices);
   // A length in millimetres: "150mm", "15cm", "6in"; a plain number is millimetres. NaN means not given.
-  Job& length(const std::string& flags, const std::string& help, double& target_mm);
+  Job& length(const std::string& flags, const std::string& help, double& target_mm, Range range = {});
   // An angle in radians: "30deg", "0.5rad"; a plain number is degrees. NaN means not given.
-  Job& angle(const std::string& flags, const std::string& help, double& target_radians);
+  Job& angle(const std::string& flags, const std::string& help, double& target_radians, Range range = {});
   // A duration in seconds: "30s", "2m"; a plain number is seconds. 0 means not given.
-  Job& duration(const std::string& flags, const std::string& help, double& target_seconds);
+  Job& duration(const std::string& flags, const std::string& help, double& target_seconds, Range range = {});
 
   // Does the work; returns the exit code. The options' targets live as long as this function object.
   Job& action(std::function<int(Session&)> run);

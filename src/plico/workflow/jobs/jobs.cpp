@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "plico/base/error.h"
@@ -37,10 +38,19 @@ std::vector<Given> wanted(const Job& job, const std::vector<Option>& table, cons
   return result;
 }
 
+// With the words of JSON Schema for bounds.
+void put_range(nlohmann::json& option, const Range& range) {
+  if (std::isfinite(range.least)) option[range.with_least ? "minimum" : "exclusiveMinimum"] = range.least;
+  if (std::isfinite(range.most)) option[range.with_most ? "maximum" : "exclusiveMaximum"] = range.most;
+}
+
 nlohmann::json option_json(const Option& option) {
-  return {{"name", option.long_name()},           {"value", option.value},       {"unit", option.unit},
-          {"default", option.shown_default},      {"choices", option.choices},   {"help", option.help},
-          {"positional", option.is_positional()}, {"required", option.required}, {"repeatable", option.repeatable}};
+  nlohmann::json json = {
+      {"name", option.long_name()},           {"value", option.value},       {"unit", option.unit},
+      {"default", option.shown_default},      {"choices", option.choices},   {"help", option.help},
+      {"positional", option.is_positional()}, {"required", option.required}, {"repeatable", option.repeatable}};
+  put_range(json, option.range);
+  return json;
 }
 
 }  // namespace
@@ -67,6 +77,7 @@ std::vector<Job> all_jobs() {
       origami_info_job(),
       origami_gallery_job(),
       origami_settle_job(),
+      origami_assign_job(),
       verify_job(),
   };
   // clang-format on

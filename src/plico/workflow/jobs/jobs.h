@@ -29,6 +29,7 @@ Job origami_make_job();
 Job origami_info_job();
 Job origami_gallery_job();
 Job origami_settle_job();
+Job origami_assign_job();
 Job print_job();
 
 /// In the order of --help. Each call makes new ones, with all options at their defaults.

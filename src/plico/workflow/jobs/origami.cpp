@@ -289,10 +289,10 @@ Job origami_make_job() {
       .flag("--list", "show the name of every pattern", args->list)
       .option("--size", "CxR", "columns and rows of a tessellation", args->size)
       .angle("--angle", "goal of the zigzag creases (miura) or of the diagonals (waterbomb, yoshimura)",
-             args->pattern.angle)
-      .angle("--sector", "acute angle of the panels (miura, yoshimura)", args->pattern.sector)
+             args->pattern.angle, {0, 180})
+      .angle("--sector", "acute angle of the panels (miura, yoshimura)", args->pattern.sector, {0, 90, false, false})
       .length("--cell", "what one unit of the pattern measures: a column of a tessellation; the file is in mm then",
-              args->cell_mm)
+              args->cell_mm, above(0))
       .flag("--diagonals", "add the flat creases that cut panels in two (miura, waterbomb)", args->pattern.diagonals)
       .action([args](Session& session) { return args->list ? list_patterns(session) : write_pattern(*args, session); });
 }
@@ -306,7 +306,7 @@ Job origami_info_job() {
                 .example("plico origami info miura.fold --json", "the same for programs")
                 .positional("PATTERN", "FOLD, .cp, .opx, .ori or SVG file; - is standard input", args->file)
                 .flag("--strict", "warnings count as errors", args->strict)
-                .angle("--tolerance", "how far sectors and the goal's loops may be off", args->check.angle)
+                .angle("--tolerance", "how far sectors and the goal's loops may be off", args->check.angle, above(0))
                 .action([args](Session& session) { return tell_facts(*args, session); });
   add_drawing_options(job, args->drawing);
   return job;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "plico/base/error.h"
 #include "plico/base/version.h"
@@ -21,6 +22,7 @@
 #include "plico/workflow/jobs/print_options.h"
 #include "plico/workflow/jobs/read_sheet.h"
 #include "plico/workflow/jobs/session.h"
+#include "plico/workflow/kit_joints.h"
 #include "plico/workflow/parts_file.h"
 
 namespace plico::jobs {
@@ -32,10 +34,12 @@ struct NetArgs {
 };
 
 // What the file knows about the finished model; a file without a folded form has only its flat size.
-FoldedShape shape_of(FoldFile& file, const NetArgs& args, LayoutOptions& options, Session& session) {
+FoldedShape shape_of(FoldFile& file, const std::optional<PartsClaim>& parts, const NetArgs& args,
+                     LayoutOptions& options, Session& session) {
   if (!file.folded.empty() && !file.net.mesh_face.empty() && !file.net.mesh_vertex.empty()) {
     const Mesh mesh = folded_mesh(file);
     attach_mesh(file.net, mesh);
+    if (parts) options.joints = joint_facets(mesh, file.net, joints_of(*parts, mesh), parts->pieces, options.titles);
     options.size.up = up_axis(args.print.up, mesh, session);
     return folded_shape(mesh);
   }
@@ -86,7 +90,8 @@ int print(const NetArgs& args, Session& session) {
   for (const std::string& path : outputs) require_kind(path);
   FoldFile file = read_sheet(args.net, session);
   options.size.fill_page = file.unit == "unit";  // a file in millimetres says how large it is
-  if (const auto parts = parts_claim(file)) {
+  const std::optional<PartsClaim> parts = parts_claim(file);
+  if (parts) {
     options.titles = part_titles(parts->names, parts->pieces);
     options.seams = parts->seam;
     if (static_cast<int>(options.titles.size()) != file.net.num_parts())
@@ -95,7 +100,7 @@ int print(const NetArgs& args, Session& session) {
           fmt::format("plico:parts tells of {} pieces, the net has {}", options.titles.size(), file.net.num_parts()),
           args.net);
   }
-  const FoldedShape shape = shape_of(file, args, options, session);
+  const FoldedShape shape = shape_of(file, parts, args, options, session);
   const LayoutResult result = lay_out_pages(file.net, shape, options, session.run());
   const LayoutVerdict verdict = verify_layout(result.layout);
   session.report()["print"] = json_of(result.report);

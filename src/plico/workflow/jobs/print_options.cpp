@@ -69,11 +69,11 @@ MarkOptions mark_options(const std::vector<std::string>& given) {
 }  // namespace
 
 void add_print_options(Job& job, PrintArgs& args) {
-  job.length("--height", "height of the finished model, along --up", args.size.height)
-      .length("--width", "width of the finished model, along x", args.size.width)
+  job.length("--height", "height of the finished model, along --up", args.size.height, above(0))
+      .length("--width", "width of the finished model, along x", args.size.width, above(0))
       .length("--longest", "longest side of the finished model; without any size, as large as fits one page a part",
-              args.size.longest)
-      .option("--scale", "K", "millimetres per unit of the model", args.scale)
+              args.size.longest, above(0))
+      .option("--scale", "K", "millimetres per unit of the model", args.scale, above(0))
       .choice("--up", "axis of the height; auto: guessed from the shape and told", args.up, {"auto", "y", "z"})
       .choice("--for",
               "who works on the pages: sets page, margin, style, text, perforation, ruler and legend, each of "
@@ -85,14 +85,15 @@ void add_print_options(Job& job, PrintArgs& args) {
               args.page)
       .flag("--landscape", "turn the page", args.landscape)
       .option("--margin", "LENGTHS", "left free around each page; or top,right,bottom,left; default 10mm", args.margin)
-      .length("--gap", "between parts", args.gap)
+      .length("--gap", "between parts", args.gap, {0, 100})
       .flag("--split", "cut parts that are too large for a page along folds", args.split)
       .choice("--tabs", "which side of a seam has the tab", args.tabs,
               {"auto", "alternate", "left", "right", "both", "none"})
-      .length("--tab-width", "depth of the tabs", args.tab_width)
-      .angle("--tab-angle", "slant of the tabs", args.tab_angle)
+      .length("--tab-width", "depth of the tabs", args.tab_width, {1, 50})
+      .angle("--tab-angle", "slant of the tabs", args.tab_angle, {20, 80})
       .flag("--no-labels", "leave out edge ids and part names", args.no_labels)
-      .option("--label-size", "POINTS", "size of edge ids, made smaller down to 4 where needed", args.label_size)
+      .option("--label-size", "POINTS", "size of edge ids, made smaller down to 4 where needed", args.label_size,
+              {3, 24})
       .option("--marks", "LIST", "start: a square where to begin; seam: strokes that meet; or both", args.marks)
       .choice("--style", "colours and line weights", args.style, {"auto", "paper", "origami", "laser", "bw"})
       .choice("--text", "letters as text, as outlines to draw or engrave, or none", args.text,
@@ -104,7 +105,7 @@ void add_print_options(Job& job, PrintArgs& args) {
       .flag("--shadow-tabs", "draw where each tab lands on the panel it is glued under", args.shadow_tabs)
       .flag("--no-ruler", "leave out the ruler", args.no_ruler)
       .flag("--no-legend", "leave out the legend", args.no_legend)
-      .angle("--flat", "folds up to this angle count as flat and are hidden", args.flat)
+      .angle("--flat", "folds up to this angle count as flat and are hidden", args.flat, {0, 90})
       .flag("--show-flat-creases", "draw them all the same", args.show_flat_creases)
       .option("--title", "TEXT", "name beside the legend; default the file's", args.title);
 }

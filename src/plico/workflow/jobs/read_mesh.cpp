@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "plico/base/error.h"
@@ -10,6 +11,13 @@
 #include "plico/mesh/repair.h"
 
 namespace plico::jobs {
+namespace {
+
+// A net of so many faces is laid flat, judged and written in about this time.
+constexpr double kSecondsAFace = 4e-5;
+
+}  // namespace
+
 Job& add_repair_option(Job& job, std::string& repair) {
   return job.choice("--repair",
                     "safe joins corners that coincide, cuts polygons that are not flat, drops faces without area, "
@@ -19,6 +27,7 @@ Job& add_repair_option(Job& job, std::string& repair) {
 
 Mesh read_mesh(const std::string& path, const std::string& repair, Session& session) {
   MeshSource source = read_mesh_source(session.read(path), path);
+  session.keep_time(kSecondsAFace * source.soup.num_faces());
   const CheckOptions strict{.planarity = kFlatPolygon, .self_intersections = false};
   if (repair == "none") return to_mesh(std::move(source), strict);
   const RepairOptions how{.level = repair == "full" ? RepairLevel::Full : RepairLevel::Safe, .planarity = kFlatPolygon};
@@ -34,9 +43,18 @@ Mesh read_mesh(const std::string& path, const std::string& repair, Session& sess
                      repair == "safe" ? "add --repair full, which may change the shape" : "plico check " + path);
 }
 
+void warn_of_many_faces(const Mesh& mesh, const std::string& path, Session& session) {
+  if (mesh.num_faces() < kFarTooMany) return;
+  const double seconds = 2 * std::pow(mesh.num_faces() / double(kFarTooMany), 2.5);
+  session.warn(fmt::format(
+      "{} faces are far more than hands can fold, and a net of them takes about {}; try plico craft {} --faces 300",
+      mesh.num_faces(), seconds < 100 ? fmt::format("{:.0f} s", seconds) : fmt::format("{:.0f} min", seconds / 60),
+      quoted(path)));
+}
+
 MeshFormat output_format(const std::string& path) {
   if (path == "-") return MeshFormat::Obj;
-  if (const auto format = mesh_format_of(path)) return *format;
+  if (const auto format = mesh_format_of(path); format && *format != MeshFormat::Gltf) return *format;
   throw InvalidOption(fmt::format("{} does not end in .obj, .off, .stl or .ply", path));
 }
 

@@ -16,6 +16,10 @@ Job& add_repair_option(Job& job, std::string& repair);
 // its place in the file when nothing was repaired before.
 Mesh read_mesh(const std::string& path, const std::string& repair, Session& session);
 
+// Warns at once of a mesh that nobody can fold by hand: what it takes, and how to make it smaller.
+inline constexpr int kFarTooMany = 20'000;  // faces
+void warn_of_many_faces(const Mesh& mesh, const std::string& path, Session& session);
+
 // The format of a mesh that is written to this path, OBJ for standard output. Throws InvalidOption.
 MeshFormat output_format(const std::string& path);
 

@@ -19,10 +19,10 @@ FoldFile read_sheet(const std::string& path, Session& session, const DrawingOpti
 
 void add_drawing_options(Job& job, DrawingOptions& drawing) {
   job.option("--merge", "LENGTH", "drawings: line ends closer than this are joined; 0: found from the drawing",
-             drawing.merge)
+             drawing.merge, at_least(0))
       .option("--flatten", "LENGTH",
               "SVG: how far the straight creases that replace a curve may be from it; 0: 1/400 of the drawing",
-              drawing.flatten);
+              drawing.flatten, at_least(0));
 }
 
 std::vector<std::string> fold_outputs(const Session& session) {

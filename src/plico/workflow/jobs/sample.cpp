@@ -62,8 +62,9 @@ Job sample_job() {
       .example("plico sample --list", "all names")
       .positional("name", "of the shape; --list shows all", args->name, false)
       .flag("--list", "show the name of every shape", args->list)
-      .option("--faces", "N", "how many faces, or as near as the shape allows; 0: its usual number", args->shape.faces)
-      .option("--variety", "X", "how much an animal's proportions stray, 0 to 1; --seed picks one", args->shape.variety)
+      .option("--faces", "N", "how many faces, or as near as the shape allows; 0: its usual number", args->shape.faces,
+              {0, 1e6})
+      .option("--variety", "X", "how much an animal's proportions stray; --seed picks one", args->shape.variety, {0, 1})
       .action([args](Session& session) { return make_sample(*args, session); });
 }
 

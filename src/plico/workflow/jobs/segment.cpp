@@ -195,12 +195,13 @@ Job segment_job() {
       .choice("--method", "how the mesh is cut: necks, or clusters of the dissertation, or at random, to compare with",
               args->method, {"necks", "clusters", "random"})
       .option("--neck", "SCORE", "auto: cut where seam over area scores below this; more means more parts",
-              options.neck)
-      .option("--max-parts", "N", "auto: at most so many parts, unless parts fail", options.max_parts)
-      .option("--min-area", "SHARE", "of the surface, in the smallest part cut off at a neck", options.min_area)
+              options.neck, above(0))
+      .option("--max-parts", "N", "auto: at most so many parts, unless parts fail", options.max_parts, at_least(1))
+      .option("--min-area", "SHARE", "of the surface, in the smallest part cut off at a neck", options.min_area,
+              {0, 0.5})
       .option("--concavity", "X",
               "for --by convexity: how deep a vertex may lie below the hull of its part, as a share of the diagonal",
-              args->convexity.concavity)
+              args->convexity.concavity, above(0))
       .choice("--symmetric", "left and right alike, on meshes with a mirror plane; auto: where there is one",
               args->symmetric, {"auto", "on", "off"})
       .option("--keep", "FACES", "these stay in one part, such as 3,17-20", args->keep)

@@ -44,6 +44,7 @@ struct Session::State {
   std::vector<Given> given;
   Surroundings surroundings;
   Run::Clock::time_point start = Run::Clock::now();
+  double kept_seconds = 0;
   bool seed_used = false;
   std::vector<std::pair<std::string, std::string>> repeat = {};
   std::vector<std::string> written = {};
@@ -94,15 +95,19 @@ Run Session::run() const {
   run.threads =
       state_->shared.threads > 0 ? state_->shared.threads : int(std::max(1u, std::thread::hardware_concurrency()));
   if (state_->shared.time_limit > 0) {
-    const std::chrono::duration<double> limit(std::min(state_->shared.time_limit, 1e9));
+    const double whole = std::min(state_->shared.time_limit, 1e9);
+    const std::chrono::duration<double> limit(whole - std::min(state_->kept_seconds, whole / 4));
     run.deadline = state_->start + std::chrono::duration_cast<Run::Clock::duration>(limit);
   }
   return run;
 }
 
+void Session::keep_time(double seconds) { state_->kept_seconds = std::max(state_->kept_seconds, seconds); }
+
 std::string Session::read(const std::string& path) {
   std::string bytes = state_->surroundings.files.read(path);
   state_->inputs.push_back({{"path", path}, {"bytes", bytes.size()}, {"sha256", sha256(bytes)}});
+  detail(fmt::format("read {}: {} bytes", path, bytes.size()));
   return bytes;
 }
 
@@ -129,6 +134,7 @@ void Session::make_folder(const std::string& path) const { state_->surroundings.
 void Session::write(const std::string& path, std::string_view bytes) {
   state_->surroundings.files.write(path, bytes, state_->shared.force);
   state_->written.push_back(path);
+  detail(fmt::format("wrote {}: {} bytes", path, bytes.size()));
 }
 
 nlohmann::json& Session::report() { return state_->report; }
@@ -170,6 +176,8 @@ void Session::finish(int exit_code) {
   report["outputs"] = state_->written;
   report["exit_code"] = exit_code;
   report["wall_seconds"] = std::chrono::duration<double>(Run::Clock::now() - state_->start).count();
+  detail(fmt::format("{:.3g} s with {} threads, seed {}", report["wall_seconds"].get<double>(), run().threads,
+                     state_->shared.seed));
   if (!state_->shared.report_file.empty())
     state_->surroundings.files.write(state_->shared.report_file, report.dump(2) + "\n", state_->shared.force);
 }

@@ -61,6 +61,9 @@ class Session {
   const SharedOptions& shared() const;
   std::uint64_t seed() const;  // also remembers that the result depends on it
   Run run() const;             // of the surroundings, with the deadline of --time-limit and the threads of --threads
+  /// What comes after the search (judging, writing) takes this long: the deadline is earlier by it, a quarter of the
+  /// time limit at most.
+  void keep_time(double seconds);
 
   /// The bytes of an input ("-" is standard input); its SHA-256 goes into the report.
   std::string read(const std::string& path);

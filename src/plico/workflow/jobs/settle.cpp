@@ -84,9 +84,9 @@ Job origami_settle_job() {
                    "only the goal: for patterns folded by hand")
           .positional("PATTERN", "FOLD, .cp, .opx, .ori or SVG file; - is standard input", args->file)
           .option("--states", "N", "states between flat and the goal that are to close; 0: the goal alone",
-                  args->options.states)
+                  args->options.states, at_least(0))
           .option("--most", "PERCENT", "how far a vertex may move, in per cent of the shortest edge",
-                  args->most_percent)
+                  args->most_percent, above(0))
           .action([args](Session& session) { return settle_file(*args, session); });
   add_drawing_options(job, args->drawing);
   return job;

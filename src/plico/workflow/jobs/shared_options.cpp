@@ -19,7 +19,7 @@ std::vector<Option> shared_options(SharedOptions& shared) {
       .flag("-q,--quiet", "say nothing but errors", shared.quiet)
       .count("-v,--verbose", "say more; twice for still more", shared.verbose)
       .option("--seed", "N", "seed of everything random: same seed, same bytes", shared.seed)
-      .option("--threads", "N", "threads to use, 0 for all cores; never changes results", shared.threads)
+      .option("--threads", "N", "threads to use, 0 for all cores; never changes results", shared.threads, at_least(0))
       .duration("--time-limit", "stop after this long and write the best so far: 30s, 2m, 1h", shared.time_limit);
   return table.options;
 }

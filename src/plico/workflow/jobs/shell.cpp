@@ -237,17 +237,19 @@ Job shell_job() {
       .choice("--method", "how the planes between parts are found", args->method, {"full", "lsf", "svm", "svm-offset"})
       .choice("--nested", "what happens to a part that lies inside the hull of another", args->nested,
               {"drop", "merge", "keep"})
-      .option("--nested-share", "X", "how much of a part's volume makes it nested, from 0 to 1", options.nested_share)
-      .option("--least-kept", "X", "how much of each hull must be left, from 0 to 1; for full", options.least_kept)
+      .option("--nested-share", "X", "how much of a part's volume makes it nested", options.nested_share,
+              {0, 1, false, true})
+      .option("--least-kept", "X", "how much of each hull must be left; for full", options.least_kept,
+              {0, 1, true, false})
       .option("--protect", "PART", "volume that this part loses counts four times; may be repeated; for full",
               options.protect)
-      .option("--max-sweeps", "N", "how often all planes are moved again; for full", options.max_sweeps)
-      .option("--svm-samples", "N", "points in each two parts; for svm", options.svm.samples)
+      .option("--max-sweeps", "N", "how often all planes are moved again; for full", options.max_sweeps, at_least(0))
+      .option("--svm-samples", "N", "points in each two parts; for svm", options.svm.samples, at_least(10))
       .option("--svm-penalty", "X", "of a point on the wrong side, with a union of volume 100; for svm",
-              options.svm.penalty)
-      .option("--faces", "N", "merge triangles until a shell has no more; 0: do not", args->remesh.faces)
+              options.svm.penalty, above(0))
+      .option("--faces", "N", "merge triangles until a shell has no more; 0: do not", args->remesh.faces, at_least(0))
       .option("--regularize", "K", "rounds in which vertices move, so that triangles become fatter",
-              args->remesh.regularize)
+              args->remesh.regularize, at_least(0))
       .option("--max-growth", "SHARE",
               "of a shell's volume by these two: 5% or 0.05; alone: as few triangles as it allows", args->growth)
       .action([args](Session& session) { return run_shell(*args, session); });

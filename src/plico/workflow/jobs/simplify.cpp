@@ -49,9 +49,9 @@ Job simplify_job() {
       .example("plico simplify scan.stl --faces 300 --evenness 0.03 -o small.obj", "triangles of more even size")
       .example("plico craft scan.stl --faces 300 -o paper", "the same as a part of the main job")
       .positional("mesh", "OBJ, OFF, STL or PLY file, closed or open; - for standard input", args->mesh)
-      .option("--faces", "N", "triangles wanted; a closed mesh has an even number", args->options.faces)
+      .option("--faces", "N", "triangles wanted; a closed mesh has an even number", args->options.faces, at_least(4))
       .option("--evenness", "X", "pull towards triangles of even size against the pull towards the shape",
-              args->options.evenness)
+              args->options.evenness, at_least(0))
       .action([args](Session& session) { return simplify_file(*args, session); });
   add_repair_option(job, args->repair);
   return job;

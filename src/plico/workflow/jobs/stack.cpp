@@ -141,8 +141,10 @@ void report_motion(Session& session, const StackMotion& motion, const std::strin
 std::optional<StackMotion> find_motion(const StackArgs& args, const VoxelMesh& voxels, const StackMeshOptions& options,
                                        StackedChain& chain, Session& session) {
   if (args.motion == "none") return std::nullopt;
-  StackMotion motion =
-      unpack_stack(voxels, chain, options, {.seed = session.seed(), .to_shape = args.motion == "shape"}, session.run());
+  StackMotionOptions how;
+  how.seed = session.seed();
+  how.to_shape = args.motion == "shape";
+  StackMotion motion = unpack_stack(voxels, chain, options, how, session.run());
   chain = motion.chain;
   return motion;
 }
@@ -191,7 +193,7 @@ Job stack_job() {
                "what each panel is and where it lies; every figure")
       .example("plico stack bird.obj --cells 10 --thickness 0.02 -o bird.fold -o motion.html",
                "and its proven motion from the stack to the shape, as a page")
-      .option("--thickness", "T", "of the panels, in voxel sides, in (0, 0.5)", args->thickness)
+      .option("--thickness", "T", "of the panels, in voxel sides", args->thickness, {0, 0.5, false, false})
       .choice(
           "--motion",
           "plan and prove how the stack unfolds: into one pile, or on into the shape; a page (.html) asks for shape",

@@ -189,12 +189,13 @@ Job unfold_job() {
       .choice("--method", "how the spanning tree is found", args->method, unfold_methods())
       .choice("--optimize", "make the net better: cut it less, or let it need a smaller hull or page", args->optimize,
               {"none", "cut-length", "hull-area", "page"})
-      .option("--directions", "N", "random directions tried by a heuristic method", args->options.directions)
+      .option("--directions", "N", "random directions tried by a heuristic method", args->options.directions,
+              at_least(1))
       .option("--max-generations", "N", "generations of the genetic search (--method eu)",
-              args->options.evolution.max_generations)
-      .option("--starts", "N", "grown trees of which the search takes the best", search.starts)
-      .option("--effort", "N", "panels looked at in one step of the search", search.effort)
-      .option("--max-steps", "N", "steps of the search; -1: 10,000 and 100 more a face", args->max_steps)
+              args->options.evolution.max_generations, at_least(0))
+      .option("--starts", "N", "grown trees of which the search takes the best", search.starts, at_least(1))
+      .option("--effort", "N", "panels looked at in one step of the search", search.effort, at_least(1))
+      .option("--max-steps", "N", "steps of the search; -1: 10,000 and 100 more a face", args->max_steps, at_least(-1))
       .action([args](Session& session) { return unfold_file(*args, session); });
   add_repair_option(job, args->repair);
   return job;

@@ -16,6 +16,7 @@
 #include "plico/workflow/jobs/read_sheet.h"
 #include "plico/workflow/jobs/session.h"
 #include "plico/workflow/judge_motion.h"
+#include "plico/workflow/judge_pieces.h"
 #include "plico/workflow/parts_file.h"
 #include "plico/workflow/plan_motion.h"
 #include "plico/workflow/stack_motion.h"
@@ -69,8 +70,10 @@ void report_net(Session& session, const NetVerdict& verdict) {
   session.print(fmt::format("folds      off by {:.2g} degrees\n", degrees(verdict.angle_error)));
   session.print(fmt::format("closing    off by {:.2g} of the diagonal\n", verdict.closing_error));
   session.print(lines_of(verdict.defects));
-  const char* const answer = !verdict.complete ? "not finished" : verdict.valid() ? "yes" : "no";
-  session.print(fmt::format("verified   {}\n", answer));
+}
+
+void print_verified(const Session& session, bool complete, bool valid) {
+  session.print(fmt::format("verified   {}\n", !complete ? "not finished" : valid ? "yes" : "no"));
 }
 
 // The mesh on the command line; none when there is none.
@@ -81,7 +84,11 @@ std::optional<Mesh> given_mesh(const FoldFile& file, const VerifyArgs& args, Ses
 
 // Without a mesh the net is held against its own folded form; one that makes no surface is a defect like any other.
 NetVerdict judge(const FoldFile& file, const std::optional<Mesh>& mesh, const VerifyArgs& args, const Run& run) {
-  if (mesh) return verify_net(file.net, *mesh, {}, run);
+  if (mesh) {
+    NetVerdict verdict = verify_net(file.net, *mesh, {}, run);
+    if (std::optional<Defect> found = judge_folded_form(file, *mesh)) verdict.defects.push_back(std::move(*found));
+    return verdict;
+  }
   if (file.folded.empty())
     throw InvalidInput("verify/no-shape", fmt::format("{} has no folded form to hold the net against", args.file), {},
                        fmt::format("plico verify {} MESH", args.file));
@@ -100,16 +107,56 @@ int verify_net_file(const FoldFile& file, const std::optional<Mesh>& mesh, const
   const Run run = session.run();
   const NetVerdict verdict = judge(file, mesh, args, run);
   report_net(session, verdict);
+  print_verified(session, verdict.complete, verdict.valid());
   if (!verdict.complete && run.over()) return Session::exit_code(run.ending());
   return verdict.valid() ? kDone : kNo;
 }
 
-// Parts claim more than their nets: that they are the mesh, and which edges are glued where.
-int verify_parts_file(const FoldFile& file, const PartsClaim& claim, const std::optional<Mesh>& given,
-                      const VerifyArgs& args, Session& session) {
-  if (!given && file.folded.empty()) return verify_net_file(file, given, args, session);
-  const Run run = session.run();
-  const PartsVerdict verdict = verify_parts(claim, file.net, given ? *given : folded_mesh(file), run);
+// How often the motion still folds with inexact creases; a figure, not part of the verdict.
+void report_noise(const FoldFile& file, const Linkage& linkage, const VerifyArgs& args, Session& session) {
+  const NoiseVerdict verdict =
+      fold_with_noise(linkage, *file.path, args.noise, args.samples, session.seed(), args.clearance, session.run());
+  session.report()["noise"] = {{"angle_deg", degrees(args.noise)},
+                               {"samples", verdict.samples},
+                               {"folded", verdict.folded},
+                               {"mean_stop", verdict.mean_stop}};
+  session.print(
+      fmt::format("noise      {} of {} fold with creases off by up to {:.3g} degrees, to t = {:.3g} on average\n",
+                  verdict.folded, verdict.samples, degrees(args.noise), verdict.mean_stop));
+}
+
+json to_json(const PieceVerdict& piece) {
+  json report = {{"title", piece.title},
+                 {"panels", piece.panels},
+                 {"hinges", piece.hinges},
+                 {"waypoints", piece.waypoints},
+                 {"defects", defects_json(piece.claims.defects)},
+                 {"valid", piece.valid()}};
+  if (piece.proof) report["motion"] = motion_json(*piece.proof);
+  return report;
+}
+
+// Each piece with its motion. Lines are of those that have something to say.
+void report_pieces(const Session& session, json& report, const std::vector<PieceVerdict>& pieces) {
+  int moving = 0, free = 0;
+  report["pieces"] = json::array();
+  for (const PieceVerdict& piece : pieces) {
+    report["pieces"].push_back(to_json(piece));
+    moving += piece.moves();
+    free += piece.moves() && piece.valid();
+  }
+  session.print(fmt::format("motion     {}, {} with a motion, {} proven free of collision at every moment\n",
+                            count(static_cast<long>(pieces.size()), "piece"), moving, free));
+  for (const PieceVerdict& piece : pieces) {
+    if (!piece.moves() && piece.hinges > 0) session.print(fmt::format("  {} has no motion\n", piece.title));
+    if (piece.valid()) continue;
+    session.print(fmt::format("  {}: {}\n", piece.title, motion_line(*piece.proof)));
+    for (const Defect& defect : piece.claims.defects)
+      session.print(fmt::format("  {}: {}: {}\n", defect.code, piece.title, defect.message));
+  }
+}
+
+void report_parts(Session& session, const PartsVerdict& verdict) {
   report_net(session, verdict.net);
   json& report = session.report();
   report["kind"] = "parts";
@@ -117,14 +164,38 @@ int verify_parts_file(const FoldFile& file, const PartsClaim& claim, const std::
   report["in_one_piece"] = verdict.in_one_piece;
   report["seam_edges"] = verdict.seam_edges;
   report["seam_length"] = verdict.seam_length;
+  report["joints"] = verdict.joints;
   report["part_defects"] = defects_json(verdict.defects);
-  report["valid"] = verdict.valid();
   session.print(fmt::format("parts      {}, {} with a net in one piece; seams of {}, {:.6g} long\n", verdict.parts,
                             verdict.in_one_piece, count(verdict.seam_edges, "edge"), verdict.seam_length));
+  if (verdict.joints > 0)
+    session.print(fmt::format("joints     {}, glued face to face\n", count(verdict.joints, "pair of facets")));
   session.print(lines_of(verdict.defects));
   session.print(fmt::format("together   {}\n", verdict.valid() ? "yes" : verdict.net.complete ? "no" : "not finished"));
-  if (!verdict.net.complete && run.over()) return Session::exit_code(run.ending());
-  return verdict.valid() ? kDone : kNo;
+}
+
+// Parts claim more than their nets: that they are the mesh, what is glued where and in which order, and how each folds.
+int verify_parts_file(const FoldFile& file, const PartsClaim& claim, const std::optional<Mesh>& given,
+                      const VerifyArgs& args, Session& session) {
+  if (!given && file.folded.empty()) return verify_net_file(file, given, args, session);
+  const Run run = session.run();
+  PartsVerdict verdict = verify_parts(claim, file.net, given ? *given : folded_mesh(file), run);
+  if (given)
+    if (std::optional<Defect> found = judge_folded_form(file, *given)) verdict.defects.push_back(std::move(*found));
+  report_parts(session, verdict);
+  bool complete = verdict.net.complete, valid = verdict.valid();
+  if (!file.pieces.empty()) {
+    const std::vector<PieceVerdict> pieces = judge_pieces(file, args.clearance, run);
+    session.report()["kind"] = "kit";
+    report_pieces(session, session.report(), pieces);
+    for (const PieceVerdict& piece : pieces) complete = complete && piece.complete(), valid = valid && piece.valid();
+  }
+  session.report()["valid"] = valid;
+  if (file.path && args.noise > 0 && !run.over())
+    report_noise(file, make_linkage(file.net.sheet, file.net.mate), args, session);
+  print_verified(session, complete, valid);
+  if (!complete && run.over()) return Session::exit_code(run.ending());
+  return valid ? kDone : kNo;
 }
 
 // A crease pattern claims to be a flat sheet: no two of its panels overlap.
@@ -145,19 +216,6 @@ int verify_sheet_file(const FoldFile& file, Session& session) {
   session.print(fmt::format("verified   {}\n", !overlaps.complete ? "not finished" : valid ? "yes" : "no"));
   if (!overlaps.complete && run.over()) return Session::exit_code(run.ending());
   return valid ? kDone : kNo;
-}
-
-// How often the motion still folds with inexact creases; a figure, not part of the verdict.
-void report_noise(const FoldFile& file, const Linkage& linkage, const VerifyArgs& args, Session& session) {
-  const NoiseVerdict verdict =
-      fold_with_noise(linkage, *file.path, args.noise, args.samples, session.seed(), args.clearance, session.run());
-  session.report()["noise"] = {{"angle_deg", degrees(args.noise)},
-                               {"samples", verdict.samples},
-                               {"folded", verdict.folded},
-                               {"mean_stop", verdict.mean_stop}};
-  session.print(
-      fmt::format("noise      {} of {} fold with creases off by up to {:.3g} degrees, to t = {:.3g} on average\n",
-                  verdict.folded, verdict.samples, degrees(args.noise), verdict.mean_stop));
 }
 
 [[noreturn]] void refuse_mesh(const VerifyArgs& args) {
@@ -203,8 +261,8 @@ int verify_motion_file(const FoldFile& file, const std::optional<Mesh>& mesh, co
   return valid ? kDone : kNo;
 }
 
-// A kit claims both: parts that make the mesh, and their motions.
-int verify_kit_file(const FoldFile& file, const PartsClaim& claim, const VerifyArgs& args, Session& session) {
+// Kits of one piece, and those of version 0.1, have one motion of the whole sheet.
+int verify_joined_kit_file(const FoldFile& file, const PartsClaim& claim, const VerifyArgs& args, Session& session) {
   const std::optional<Mesh> mesh = given_mesh(file, args, session);
   const int moves = verify_motion_file(file, mesh, args, session);
   const int fits = verify_parts_file(file, claim, mesh, args, session);
@@ -273,7 +331,9 @@ int verify_file(const VerifyArgs& args, Session& session) {
       if (!args.mesh.empty()) refuse_mesh(args);
       return verify_sheet_file(file, session);
     case FoldKind::Motion:
-      if (parts) return verify_kit_file(file, *parts, args, session);
+      if (parts && !file.pieces.empty())
+        return verify_parts_file(file, *parts, given_mesh(file, args, session), args, session);
+      if (parts) return verify_joined_kit_file(file, *parts, args, session);
       return verify_motion_file(file, given_mesh(file, args, session), args, session);
   }
   return kInternal;
@@ -292,9 +352,9 @@ Job verify_job() {
       .positional("file", "net, crease pattern or motion: FOLD, .cp, .opx, .ori or SVG", args->file)
       .positional("mesh", "the mesh it was made from; without it, the folded form in the file", args->mesh, false)
       .option("--clearance", "LENGTH", "motions: how far panels are shrunk, file's unit; 0: 1/1000 of the mean side",
-              args->clearance)
-      .angle("--angle-noise", "motions: also fold with every crease off by up to this much", args->noise)
-      .option("--samples", "N", "motions folded with --angle-noise", args->samples)
+              args->clearance, at_least(0))
+      .angle("--angle-noise", "motions: also fold with every crease off by up to this much", args->noise, at_least(0))
+      .option("--samples", "N", "motions folded with --angle-noise", args->samples, at_least(1))
       .action([args](Session& session) { return verify_file(*args, session); });
   add_repair_option(job, args->repair);
   return job;

@@ -109,6 +109,12 @@ TEST(ReadStl, WeldsEqualCorners) {
   EXPECT_THAT(binary.face_place, ElementsAre(84, 134));
 }
 
+TEST(ReadStl, SeveralSolidsAreOneFileWithOneListOfPoints) {
+  const MeshSource source = read_stl(std::string(kStl) + kStl);
+  EXPECT_EQ(source.soup.num_faces(), 4);
+  EXPECT_EQ(source.soup.num_points(), 4);
+}
+
 TEST(ReadStl, BinaryThatStartsWithSolidIsBinary) {
   std::string bytes = write_stl(read_stl(kStl).soup);
   bytes.replace(0, 5, "solid");
@@ -135,6 +141,16 @@ TEST(ReadPly, PassesOverOtherElementsAndProperties) {
   EXPECT_EQ(source.soup.points[1], Vec3(1, 0, 0));
   EXPECT_THAT(corners(source), ElementsAre(0, 1, 2));
   EXPECT_THAT(source.face_place, ElementsAre(19));
+}
+
+TEST(ReadPly, ListsOfAnyTypeMayStandAnywhereAndFacesFirst) {
+  const MeshSource source = read_ply(
+      "ply\nformat ascii 1.0\nelement face 1\nproperty list uchar float texcoord\nproperty list ushort short "
+      "vertex_index\n"
+      "property uchar red\nproperty list int double weights\nelement vertex 3\nproperty double z\nproperty float x\n"
+      "property int y\nend_header\n4 0 0 1 1 3 0 1 2 9 1 0.5\n0 0 0\n0 1 0\n0 0 1\n");
+  EXPECT_EQ(source.soup.points[2], Vec3(0, 1, 0));
+  EXPECT_THAT(corners(source), ElementsAre(0, 1, 2));
 }
 
 TEST(ReadPly, ErrorsSayLineOrByte) {

@@ -1,12 +1,16 @@
 #include "plico/workflow/jobs/jobs.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "plico/base/error.h"
+#include "plico/workflow/jobs/session.h"
+#include "plico/workflow/jobs/shared_options.h"
 
 namespace plico::jobs {
 namespace {
@@ -81,6 +85,54 @@ TEST(DescribeJobs, NamesEveryOptionOnceWithWhatAFormNeeds) {
   }
   const auto length = std::ranges::find(all[0]["options"], "--height", [](const json& o) { return o["name"]; });
   EXPECT_EQ((*length)["unit"], "mm");
+  EXPECT_EQ((*length)["exclusiveMinimum"], 0);
+  EXPECT_FALSE((*length).contains("maximum"));
+}
+
+// The values on either side of a bound, in the option's unit; a whole step further for whole numbers.
+std::vector<std::pair<double, bool>> around_bounds(const Range& range) {
+  std::vector<std::pair<double, bool>> values;
+  if (std::isfinite(range.least))
+    values.insert(values.end(), {{range.least - 1, false}, {range.least, range.with_least}});
+  if (std::isfinite(range.most)) values.insert(values.end(), {{range.most, range.with_most}, {range.most + 1, false}});
+  return values;
+}
+
+void expect_range_kept(const Job& job, const Option& option) {
+  for (const auto& [value, taken] : around_bounds(option.range)) {
+    const std::string text = fmt::format("{:.17g}", value);
+    try {
+      const std::vector<Option> table{option};
+      set_options(job, table, {{&table.front(), text}});
+      EXPECT_TRUE(taken) << job.name << " " << option.long_name() << " " << text;
+    } catch (const InvalidOption& error) {
+      EXPECT_FALSE(taken) << error.what();
+      EXPECT_TRUE(std::string(error.what()).starts_with(option.long_name())) << error.what();
+    }
+  }
+}
+
+TEST(Options, TakeTheirBoundsOnlyIfTheRangeDoesAndNothingBeyond) {
+  int ranges = 0;
+  SharedOptions shared;
+  for (const Job& job : all_jobs()) {
+    for (const Option& option : with_shared_options(job, shared)) {
+      if (!option.range.is_bounded()) continue;
+      ++ranges;
+      expect_range_kept(job, option);
+    }
+  }
+  EXPECT_GT(ranges, 60);
+}
+
+TEST(Options, WithANumberOutOfRangeAreRefusedBeforeAFileIsRead) {
+  MemoryFiles files;
+  try {
+    run_job("stack", {{"mesh", "none.off"}, {"thickness", "0.5"}}, files);
+    FAIL() << "a thickness of half a side was taken";
+  } catch (const InvalidOption& error) {
+    EXPECT_STREQ(error.what(), "--thickness: 0.5 must be in (0, 0.5)");
+  }
 }
 
 }  // namespace

@@ -1,0 +1,74 @@
+#include "plico/stack/peel_bodies.h"
+
+#include <algorithm>
+
+namespace plico {
+namespace {
+
+std::vector<OrientedBox> boxes_at(const std::vector<Pose>& poses, const std::vector<OrientedBox>& flat) {
+  std::vector<OrientedBox> boxes;
+  for (std::size_t p = 0; p < poses.size(); ++p) boxes.push_back(placed(flat[p], poses[p]));
+  return boxes;
+}
+
+}  // namespace
+
+RunTree::RunTree(const std::vector<OrientedBox>& boxes) : size_(static_cast<int>(boxes.size())) {
+  std::size_t nodes = 1;
+  while (nodes < 2 * boxes.size()) nodes *= 2;
+  spheres_.resize(2 * nodes);
+  build(0, 0, size_, boxes);
+}
+
+void RunTree::build(std::size_t node, int from, int to, const std::vector<OrientedBox>& boxes) {
+  Vec3 low = boxes[from].center, high = low;
+  double radius = 0;
+  for (int i = from; i < to; ++i) {
+    low = low.cwiseMin(boxes[i].center);
+    high = high.cwiseMax(boxes[i].center);
+    radius = std::max(radius, boxes[i].half.norm());
+  }
+  spheres_[node] = {(low + high) / 2, (high - low).norm() / 2 + radius};
+  if (to - from == 1) return;
+  build(2 * node + 1, from, (from + to) / 2, boxes);
+  build(2 * node + 2, (from + to) / 2, to, boxes);
+}
+
+PeelBodies::PeelBodies(const Linkage& chain, int sign, double air)
+    : chain_(chain),
+      sign_(sign),
+      half_side_((chain.panels[0][1] - chain.panels[0][0]).norm() / 2),
+      half_thickness_(chain.thickness / 2),
+      air_(air * chain.thickness),
+      pose_(folding_map(chain, goal(chain))),
+      standing_([&] {
+        std::vector<OrientedBox> flat;
+        for (int p = 0; p < chain.num_panels(); ++p) flat.push_back(panel(p));
+        return boxes_at(pose_, flat);
+      }()),
+      tree_(standing_) {}
+
+OrientedBox PeelBodies::panel(int p) const {
+  const std::vector<Vec3>& outline = chain_.panels[p];
+  return {(outline[0] + outline[2]) / 2, Eigen::Matrix3d::Identity(), {half_side_, half_side_, half_thickness_ - air_}};
+}
+
+OrientedBox PeelBodies::pile(int first, int last, int on) const {
+  OrientedBox box = panel(on);
+  const int count = last - first + 1;
+  // The pile goes on upon the front of `on` when its next hinge is a valley.
+  const double up = on + 1 < num_panels() && pile_angle(on) < 0 ? -1 : 1;
+  box.half.z() = count * half_thickness_ - air_;
+  box.center.z() += up * (2 * (first - on) + count - 1) * half_thickness_;
+  return box;
+}
+
+std::vector<OrientedBox> PeelBodies::tower(int on) const {
+  std::vector<OrientedBox> pieces;
+  int count = std::max(1, static_cast<int>(half_side_ / half_thickness_));
+  for (int first = on + 1; first < num_panels(); first += count, count *= 2)
+    pieces.push_back(pile(first, std::min(first + count, num_panels()) - 1, on));
+  return pieces;
+}
+
+}  // namespace plico

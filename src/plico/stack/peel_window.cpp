@@ -1,0 +1,178 @@
+#include "plico/stack/peel_window.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace plico {
+namespace {
+
+constexpr int kMostHalvings = 32;
+
+// Farthest distance of the corners from the line.
+double farthest(const std::array<Vec3, 8>& corners, const Vec3& point, const Vec3& axis) {
+  double most = 0;
+  for (const Vec3& corner : corners) {
+    const Vec3 from = corner - point;
+    most = std::max(most, (from - axis.dot(from) * axis).squaredNorm());
+  }
+  return std::sqrt(most);
+}
+
+// Is there a direction, of those in which two boxes can be told apart and from `b` to `a`, that will do?
+template <class Test>
+bool is_any_direction(const OrientedBox& a, const OrientedBox& b, const Test& will_do) {
+  const Vec3 between = a.center - b.center;
+  const auto will_do_outwards = [&](const Vec3& d) { return will_do(d.dot(between) < 0 ? Vec3(-d) : d); };
+  for (int i = 0; i < 3; ++i)
+    if (will_do_outwards(a.axes.col(i)) || will_do_outwards(b.axes.col(i))) return true;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      const Vec3 direction = a.axes.col(i).cross(b.axes.col(j));
+      const double length = direction.norm();
+      if (length > 1e-3 && will_do_outwards(direction / length)) return true;
+    }
+  return false;
+}
+
+double highest(const OrientedBox& box, const Vec3& direction) {
+  return box.center.dot(direction) + (box.axes.transpose() * direction).cwiseAbs().dot(box.half);
+}
+
+// A point of the axis about which panel h + 1 turns there, in the flat frame of panel h: beyond 90 degrees the line in
+// which the panels will touch (R11).
+Vec3 axis_point(const Hinge& hinge, double angle) {
+  if (std::abs(angle) <= kPi / 2) return hinge.from;
+  const Vec3 axis = (hinge.to - hinge.from).normalized();
+  return hinge.from + hinge.roll * Vec3(-axis.y(), axis.x(), std::copysign(1.0, angle));
+}
+
+OpenAngles middle(const OpenAngles& a, const OpenAngles& b) {
+  OpenAngles result;
+  for (int i = 0; i < kMostOpen; ++i) result[i] = (a[i] + b[i]) / 2;
+  return result;
+}
+
+}  // namespace
+
+PeelWindow::PeelWindow(const PeelBodies& bodies, int first, int count) : bodies_(bodies), first_(first), count_(count) {
+  // The tower's lowest panel is held by the last hinge; the rest of it is not.
+  for (int i = 1; i <= count; ++i) movers_.push_back({first + i, i, false, bodies.panel(first + i)});
+  for (const OrientedBox& piece : bodies.tower(first + count)) movers_.push_back({first + count, count, true, piece});
+  const int all = static_cast<int>(movers_.size());
+  for (int a = 0; a < all; ++a)
+    for (int b = a + 1; b < all; ++b) {
+      const bool mates = movers_[b].depth == movers_[a].depth + 1 && !movers_[b].is_tower;
+      if (movers_[a].depth < movers_[b].depth && !mates) inner_.emplace_back(b, a);
+    }
+}
+
+void PeelWindow::place(const OpenAngles& angles, Placed& at) const {
+  std::array<Pose, kMostOpen + 1> pose;
+  pose[0] = bodies_.pose(first_);
+  for (int i = 0; i < count_; ++i) {
+    const Hinge& hinge = bodies_.hinge(first_ + i);
+    at.point[i] = pose[i] * axis_point(hinge, angles[i]);
+    at.axis[i] = pose[i].linear() * (hinge.to - hinge.from).normalized();
+    pose[i + 1] = pose[i] * turn(hinge, angles[i], hinge.right == first_ + i + 1);
+  }
+  at.box.clear();
+  for (const Body& mover : movers_) at.box.push_back(placed(mover.local, pose[mover.depth]));
+}
+
+PeelWindow::Interval PeelWindow::interval(const OpenAngles& from, const OpenAngles& to) const {
+  Interval interval;
+  place(middle(from, to), interval.at);
+  for (int i = 0; i < count_; ++i) {
+    interval.half_turn[i] = std::abs(to[i] - from[i]) / 2;
+    for (double quarter : {-kPi / 2, kPi / 2})
+      if (std::min(from[i], to[i]) < quarter && quarter < std::max(from[i], to[i])) interval.changes_axis[i] = true;
+  }
+  return interval;
+}
+
+// Seen by what hangs on the first `below` hinges.
+PeelWindow::Motion PeelWindow::motion(int mover, int below, const Interval& interval) const {
+  Motion motion;
+  const Placed& at = interval.at;
+  motion.corners = corners_of(at.box[mover]);
+  for (int i = movers_[mover].depth - 1; i >= below; --i) {
+    const double half = interval.half_turn[i];
+    if (half == 0) continue;
+    double loose = motion.total;
+    if (interval.changes_axis[i]) loose += std::sqrt(2.0) * bodies_.hinge(first_ + i).roll;
+    const double length = half * (farthest(motion.corners, at.point[i], at.axis[i]) + loose);
+    motion.turns[motion.count++] = {at.axis[i], at.point[i], half, std::sin(half), 1 - std::cos(half), loose};
+    motion.total += length;
+  }
+  return motion;
+}
+
+// A turn by at most `half` moves x, seen from its axis, by no more than sin(half) |u.(a x x)| + (1 - cos(half)) |u.x'|
+// along u, where x' is x without its part along the axis. Concave in x, so the corners tell for the whole body.
+double PeelWindow::Motion::against(const Vec3& direction) const {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Vec3& corner : corners) {
+    double height = corner.dot(direction);
+    for (int i = 0; i < count; ++i) {
+      const Turning& turn = turns[i];
+      const Vec3 across = direction.cross(turn.axis), x = corner - turn.point;
+      const double aside = x.dot(direction) - x.dot(turn.axis) * turn.axis.dot(direction);
+      height -=
+          turn.sine * std::abs(across.dot(x)) + turn.sag * std::abs(aside) + turn.half * across.norm() * turn.loose;
+    }
+    lowest = std::min(lowest, height);
+  }
+  return lowest;
+}
+
+bool PeelWindow::stays_clear(const OrientedBox& mover, const OrientedBox& other, const Motion& motion) {
+  return gap(mover, other) > motion.total ||
+         is_any_direction(mover, other, [&](const Vec3& d) { return motion.against(d) > highest(other, d); });
+}
+
+// The hinge keeps the first mover and panel `first` apart.
+int PeelWindow::last_standing(int mover) const { return mover == 0 ? first_ - 1 : first_; }
+
+bool PeelWindow::is_hit(const Placed& at) const {
+  for (const auto& [deep, other] : inner_)
+    if (gap(at.box[deep], at.box[other]) <= 0) return true;
+  for (int m = 0; m < static_cast<int>(movers_.size()); ++m) {
+    const auto meets = [&](int panel) { return gap(at.box[m], bodies_.standing(panel)) <= 0; };
+    if (bodies_.standing_tree().any_near(at.box[m], 0, last_standing(m), meets)) return true;
+  }
+  return false;
+}
+
+bool PeelWindow::is_clear(const Interval& interval) const {
+  const std::vector<OrientedBox>& box = interval.at.box;
+  for (const auto& [deep, other] : inner_)
+    if (!stays_clear(box[deep], box[other], motion(deep, movers_[other].depth, interval))) return false;
+  for (int m = 0; m < static_cast<int>(movers_.size()); ++m) {
+    const Motion moved = motion(m, 0, interval);
+    const auto may_meet = [&](int panel) { return !stays_clear(box[m], bodies_.standing(panel), moved); };
+    if (bodies_.standing_tree().any_near(box[m], moved.total, last_standing(m), may_meet)) return false;
+  }
+  return true;
+}
+
+bool PeelWindow::free_at(const OpenAngles& angles) const {
+  Placed at;
+  place(angles, at);
+  return !is_hit(at);
+}
+
+bool PeelWindow::free_between(const OpenAngles& from, const OpenAngles& to, long& intervals) const {
+  return halve(from, to, 0, intervals);
+}
+
+bool PeelWindow::halve(const OpenAngles& from, const OpenAngles& to, int depth, long& intervals) const {
+  ++intervals;
+  const Interval whole = interval(from, to);
+  if (is_hit(whole.at)) return false;
+  if (is_clear(whole)) return true;
+  const OpenAngles half = middle(from, to);
+  return depth < kMostHalvings && halve(from, half, depth + 1, intervals) && halve(half, to, depth + 1, intervals);
+}
+
+}  // namespace plico
