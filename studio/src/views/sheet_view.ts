@@ -134,7 +134,7 @@ export class SheetView {
       const start = shape.model.offsets[f]!, end = shape.model.offsets[f + 1]!;
       path.moveTo(flat[2 * start]!, flat[2 * start + 1]!);
       for (let c = start + 1; c < end; ++c) path.lineTo(flat[2 * c]!, flat[2 * c + 1]!);
-      path.closePath();
+      path.lineTo(flat[2 * start]!, flat[2 * start + 1]!); // closePath() takes 2 s in 20,000 faces
     }
     return path;
   }

@@ -144,13 +144,15 @@ export class SpaceView {
   }
   /** How much of the view the places take, of its half width or height. */
   private largest(at: Float32Array): number {
-    const { clientWidth: width, clientHeight: height } = this.canvas;
+    const { eye, right, up, toward, focal, aspect } = this.camera();
     let most = 0;
     for (let i = 0; i + 2 < at.length; i += 3) {
-      const [x, y] = this.onCanvas([at[i]!, at[i + 1]!, at[i + 2]!]);
-      most = Math.max(most, Math.abs((2 * x) / width - 1), Math.abs((2 * y) / height - 1));
+      const x = at[i]! - eye[0], y = at[i + 1]! - eye[1], z = at[i + 2]! - eye[2];
+      const depth = -(x * toward[0] + y * toward[1] + z * toward[2]);
+      const across = ((x * right[0] + y * right[1] + z * right[2]) * focal) / aspect, along = (x * up[0] + y * up[1] + z * up[2]) * focal;
+      most = Math.max(most, Math.abs(across / depth), Math.abs(along / depth));
     }
-    return width && height && most ? most : 0.9;
+    return Number.isFinite(most) && most > 0 ? most : 0.9;
   }
   turn(right: number, up: number): void {
     this.azimuth -= right;
