@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "plico/base/libm.h"
+
 namespace plico {
 namespace {
 
@@ -102,7 +104,7 @@ PeelWindow::Motion PeelWindow::motion(int mover, int below, const Interval& inte
     double loose = motion.total;
     if (interval.changes_axis[i]) loose += std::sqrt(2.0) * bodies_.hinge(first_ + i).roll;
     const double length = half * (farthest(motion.corners, at.point[i], at.axis[i]) + loose);
-    motion.turns[motion.count++] = {at.axis[i], at.point[i], half, std::sin(half), 1 - std::cos(half), loose};
+    motion.turns[motion.count++] = {at.axis[i], at.point[i], half, plico::sin(half), 1 - plico::cos(half), loose};
     motion.total += length;
   }
   return motion;
