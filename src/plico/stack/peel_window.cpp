@@ -10,6 +10,7 @@ namespace plico {
 namespace {
 
 constexpr int kMostHalvings = 32;
+constexpr long kMostIntervals = 20000;  // of one way: a search that is asked to stop must not hang in a narrow place
 
 // Farthest distance of the corners from the line.
 double farthest(const std::array<Vec3, 8>& corners, const Vec3& point, const Vec3& axis) {
@@ -165,16 +166,17 @@ bool PeelWindow::free_at(const OpenAngles& angles) const {
 }
 
 bool PeelWindow::free_between(const OpenAngles& from, const OpenAngles& to, long& intervals) const {
-  return halve(from, to, 0, intervals);
+  return halve(from, to, 0, intervals, intervals + kMostIntervals);
 }
 
-bool PeelWindow::halve(const OpenAngles& from, const OpenAngles& to, int depth, long& intervals) const {
-  ++intervals;
+bool PeelWindow::halve(const OpenAngles& from, const OpenAngles& to, int depth, long& intervals, long most) const {
+  if (++intervals > most) return false;
   const Interval whole = interval(from, to);
   if (is_hit(whole.at)) return false;
   if (is_clear(whole)) return true;
   const OpenAngles half = middle(from, to);
-  return depth < kMostHalvings && halve(from, half, depth + 1, intervals) && halve(half, to, depth + 1, intervals);
+  return depth < kMostHalvings && halve(from, half, depth + 1, intervals, most) &&
+         halve(half, to, depth + 1, intervals, most);
 }
 
 }  // namespace plico
