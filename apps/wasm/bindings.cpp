@@ -9,6 +9,7 @@
 #include "editor.h"
 #include "plico/base/error.h"
 #include "plico/base/version.h"
+#include "plico/io/mesh/mesh_file.h"
 #include "plico/workflow/jobs/jobs.h"
 
 namespace plico {
@@ -171,6 +172,7 @@ class EditorBinding {
                   {"panels", {motion.proof.panel_a, motion.proof.panel_b}}};
     });
   }
+  val mesh_bytes() const { return bytes_of(write_mesh(editor_->project().mesh.soup(), MeshFormat::Obj)); }
   val fold_bytes() { return bytes_of(editor_->fold_bytes()); }
   val project_bytes() const { return bytes_of(write_project(editor_->project())); }
 
@@ -236,6 +238,7 @@ EMSCRIPTEN_BINDINGS(plico) {
       .function("search", &Editor::search)
       .function("arrange", &Editor::arrange)
       .function("motion", &Editor::motion)
+      .function("meshBytes", &Editor::mesh_bytes)
       .function("foldBytes", &Editor::fold_bytes)
       .function("projectBytes", &Editor::project_bytes);
 }

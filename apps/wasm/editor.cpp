@@ -159,7 +159,7 @@ const std::vector<float>& Editor::folded_corners(double time) {
 const Motion& Editor::judge_motion(bool plan, const Run& run) {
   if (motion_ && (!plan || motion_->proof.verdict == PathVerdict::Free)) return *motion_;
   const MotionOptions options{.method = plan ? MotionMethod::Auto : MotionMethod::Linear};
-  MotionOutcome outcome = plan_motion(linkage(), options, run);
+  MotionOutcome outcome = plico::plan(linkage(), options, run);
   motion_ = std::move(outcome.motions.front());
   return *motion_;
 }

@@ -2,6 +2,7 @@
 import { Core, Refused, Stopped } from './core/client';
 import type { Edit, Progress } from './core/protocol';
 import { FoldPanel } from './panels/fold_panel';
+import { JobsPanel } from './panels/jobs_panel';
 import { PagesPanel } from './panels/pages_panel';
 import { Session } from './session';
 import { kept } from './store';
@@ -10,8 +11,8 @@ import { SheetView } from './views/sheet_view';
 import { SpaceView } from './views/space_view';
 import type { Shape } from './views/shape';
 
-type Tab = 'net' | 'fold' | 'pages';
-const kTabs: Tab[] = ['net', 'fold', 'pages'];
+type Tab = 'net' | 'fold' | 'pages' | 'jobs';
+const kTabs: Tab[] = ['net', 'fold', 'pages', 'jobs'];
 const kSamples = ['bird', 'dinosaur', 'fish', 'dog', 'torus', 'truncated-icosahedron'];
 
 declare global {
@@ -20,35 +21,33 @@ declare global {
   }
 }
 
-async function inflated(base64: string): Promise<ArrayBuffer> {
-  const packed = bytesOf(atob(base64));
-  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
-  return new Response(stream).arrayBuffer();
-}
-
 class Studio {
   readonly session: Session;
   private readonly space: SpaceView;
   private readonly sheet: SheetView;
   private readonly foldPanel: FoldPanel;
   private readonly pagesPanel: PagesPanel;
+  private readonly jobsPanel: JobsPanel;
   private tab: Tab = 'net';
   private corner = -1; // where the keys stand on the net
   private asked = 0;
+  private atWork = false; // what is said is how far something is
 
   constructor(core: Core) {
-    this.session = new Session(core, (shape, notes) => this.showModel(shape, notes), (shape) => this.showEdit(shape));
+    this.session = new Session(core, (shape, notes) => this.showModel(shape, notes), (shape, moved) => this.showEdit(shape, moved));
     const point = (edge: number): void => void this.point(edge);
     const click = (edge: number, event: PointerEvent): void => void this.act(edge, event.shiftKey);
     this.space = new SpaceView(byId('space'), colors.space, point, click);
     this.sheet = new SheetView(byId('sheet'), colors.sheet, point, click);
     this.foldPanel = new FoldPanel(this.session, this.space, (work) => this.guarded(work), (p) => this.progress(p));
     this.pagesPanel = new PagesPanel(this.session, (work) => this.guarded(work));
+    this.jobsPanel = new JobsPanel(this.session, (work) => this.guarded(work), (p) => this.progress(p), (name, bytes) => this.openMade(name, bytes));
     byId('no-space').hidden = this.space.works;
     this.listen();
   }
 
   private say(text: string, kind: 'fine' | 'bad' = 'fine'): void {
+    this.atWork = false;
     const status = byId('status');
     status.textContent = text;
     status.dataset['kind'] = kind;
@@ -56,6 +55,7 @@ class Studio {
   private progress({ phase, done, total, note }: Progress): void {
     byId('stop').hidden = false;
     this.say([`${phase} ${done}${total ? ` of ${total}` : ''}`, note].filter(Boolean).join(', '));
+    this.atWork = true;
   }
   /** Does it, and says what went wrong: code, place, and what to try. */
   async guarded(work: () => Promise<void>): Promise<void> {
@@ -72,6 +72,7 @@ class Studio {
     } finally {
       clearTimeout(waiting);
       byId('stop').hidden = true;
+      if (this.atWork) this.say(''); // how far it was is no news any more
     }
   }
 
@@ -85,6 +86,11 @@ class Studio {
     if (!file) return;
     if (file.size > 500_000_000) return this.say(`${file.name} has ${file.size} bytes, at most 500,000,000 fit into a page · try: plico craft on a computer`, 'bad');
     await this.open(file.name, new Uint8Array(await file.arrayBuffer()));
+  }
+  private async openMade(name: string, bytes: Uint8Array): Promise<void> {
+    const before = this.session.shape;
+    await this.open(name, bytes);
+    if (this.session.shape !== before) this.show('net');
   }
   private openSample(name: string): Promise<void> {
     return this.guarded(async () => {
@@ -101,14 +107,16 @@ class Studio {
     this.sheet.show(shape);
     this.foldPanel.newModel(shape);
     this.pagesPanel.newModel();
+    this.jobsPanel.newModel();
     this.show(this.tab === 'pages' ? 'net' : this.tab);
     this.words(shape);
     const folds = shape.model.faces;
     this.say([`${folds} faces`, ...notes].join(' · '));
   }
-  private showEdit(shape: Shape): void {
+  private showEdit(shape: Shape, moved: boolean): void {
     this.sheet.preview(undefined);
-    this.sheet.redraw();
+    if (moved) this.sheet.fit();
+    else this.sheet.redraw();
     this.foldPanel.edited(shape);
     this.pagesPanel.edited();
     this.words(shape);
@@ -184,7 +192,6 @@ class Studio {
       const edit = await this.session.search(false, (p) => this.progress(p));
       await this.session.edit('search a net', edit);
       await this.session.arrange();
-      this.sheet.fit();
       this.say('a net was searched');
     });
   }
@@ -198,13 +205,23 @@ class Studio {
       button.setAttribute('aria-selected', String(t === tab));
       button.tabIndex = t === tab ? 0 : -1;
     }
-    byId('space-view').hidden = byId('sheet-view').hidden = !open || tab === 'pages';
+    byId('start').hidden = open || tab === 'jobs';
+    byId('space-view').hidden = byId('sheet-view').hidden = !open || tab === 'pages' || tab === 'jobs';
     byId('panel-net').hidden = tab !== 'net';
     byId('panel-fold').hidden = tab !== 'fold';
     byId('panel-pages').hidden = !open || tab !== 'pages';
+    byId('panel-jobs').hidden = tab !== 'jobs';
+    if (tab === 'jobs') void this.guarded(() => this.jobsPanel.shown());
     if (!open) return;
     this.foldPanel.shown(tab === 'fold');
     if (tab === 'pages') void this.pagesPanel.shown();
+  }
+
+  private showStart(): void {
+    for (const id of ['space-view', 'sheet-view', 'panel-pages', 'panel-jobs']) byId(id).hidden = true;
+    byId('start').hidden = false;
+    this.foldPanel.shown(false);
+    byId('file-start').focus();
   }
 
   private listen(): void {
@@ -223,11 +240,12 @@ class Studio {
       choice.value = '';
     });
     const on = (id: string, action: () => unknown): void => byId(id).addEventListener('click', () => void action());
+    on('home', () => this.showStart());
     on('undo', () => this.undo());
     on('redo', () => this.redo());
     on('heal', () => this.heal());
     on('fit', () => this.sheet.fit());
-    on('arrange', () => this.guarded(async () => { await this.session.arrange(); this.sheet.fit(); }));
+    on('arrange', () => this.guarded(() => this.session.arrange()));
     on('stop', () => this.session.stop());
     on('help-button', () => byId<HTMLDialogElement>('help').showModal());
     for (const tab of kTabs) on(`tab-${tab}`, () => this.show(tab));
@@ -248,7 +266,7 @@ class Studio {
       event.preventDefault();
       return void (redo ? this.redo() : this.undo());
     }
-    if (event.altKey || ['INPUT', 'SELECT'].includes(target.tagName) || byId<HTMLDialogElement>('help').open) return;
+    if (event.altKey || ['INPUT', 'SELECT', 'SUMMARY'].includes(target.tagName) || byId<HTMLDialogElement>('help').open) return;
     const handled =
       target.id === 'sheet' ? this.sheetKey(event) : target.id === 'space' ? this.spaceKey(event) :
       target.getAttribute('role') === 'tab' ? this.tabKey(event) : false;
@@ -256,7 +274,7 @@ class Studio {
   }
   private anyKey(event: KeyboardEvent, onButton: boolean): boolean {
     const actions: Record<string, () => unknown> = {
-      '1': () => this.show('net'), '2': () => this.show('fold'), '3': () => this.show('pages'),
+      '1': () => this.show('net'), '2': () => this.show('fold'), '3': () => this.show('pages'), '4': () => this.show('jobs'),
       '?': () => byId<HTMLDialogElement>('help').showModal(), Escape: () => this.session.stop(),
     };
     if (this.tab === 'fold')
@@ -318,8 +336,9 @@ class Studio {
 
 async function start(): Promise<void> {
   try {
-    const wasm = await inflated(byId('wasm').textContent!.trim());
-    const studio = new Studio(new Core(byId('worker').textContent!, wasm));
+    const { textContent: text, dataset } = byId('wasm');
+    const packed = { text: text!.trim(), packedBytes: Number(dataset['packed']), bytes: Number(dataset['bytes']) };
+    const studio = new Studio(new Core(byId('worker').textContent!, packed));
     window.studio = { session: studio.session, tab: (tab) => studio.show(tab) };
     await studio.begin();
   } catch (error) {

@@ -1,6 +1,6 @@
 // The document on the page: the model in the worker, what was done to it, and its copy in the browser's storage.
 import { type Core, Stopped } from './core/client';
-import type { Edit, JobResult, JobValues, Model, Progress, Snapshot } from './core/protocol';
+import type { Edit, JobDescription, JobResult, JobValues, Model, Progress, Snapshot } from './core/protocol';
 import { History } from './history';
 import { keep } from './store';
 import { Shape } from './views/shape';
@@ -17,7 +17,7 @@ export class Session {
 
   constructor(
     private readonly core: Core, private readonly onModel: (shape: Shape, notes: string[]) => void,
-    private readonly onEdit: (shape: Shape) => void,
+    private readonly onEdit: (shape: Shape, moved: boolean) => void, // moved: all parts lie anew
   ) {}
 
   /** One thing after the other: an edit never overtakes another. */
@@ -44,7 +44,7 @@ export class Session {
     return this.inOrder(async () => {
       const inverse = await this.change(edit);
       this.history.add({ name, edit, inverse });
-      this.onEdit(this.shape!);
+      this.onEdit(this.shape!, false);
     });
   }
   undo(): Promise<string | undefined> {
@@ -53,7 +53,7 @@ export class Session {
       if (!step) return undefined;
       await this.change(step.inverse);
       this.history.undone();
-      this.onEdit(this.shape!);
+      this.onEdit(this.shape!, false);
       return step.name;
     });
   }
@@ -63,7 +63,7 @@ export class Session {
       if (!step) return undefined;
       await this.change(step.edit);
       this.history.redone();
-      this.onEdit(this.shape!);
+      this.onEdit(this.shape!, false);
       return step.name;
     });
   }
@@ -78,7 +78,7 @@ export class Session {
   arrange(): Promise<void> {
     return this.inOrder(async () => {
       this.shape!.take(await this.core.call('arrange', []));
-      this.onEdit(this.shape!);
+      this.onEdit(this.shape!, true);
     });
   }
 
@@ -112,7 +112,7 @@ export class Session {
     let { snapshot } = await this.core.call('open', ['project.plico', bytes]);
     for (const edit of since) ({ snapshot } = await this.core.call('apply', [edit]));
     this.shape!.take(snapshot);
-    this.onEdit(this.shape!);
+    this.onEdit(this.shape!, false);
   }
 
   search(folds: boolean, progress: (p: Progress) => void): Promise<Edit> {
@@ -130,13 +130,19 @@ export class Session {
   project(): Promise<Uint8Array> {
     return this.core.call('project', []);
   }
+  mesh(): Promise<Uint8Array> {
+    return this.core.call('mesh', []);
+  }
+  jobs(): Promise<JobDescription[]> {
+    return this.core.call('jobs', []);
+  }
   editFor(edge: number): Promise<Edit | null> {
     return this.core.call('editFor', [edge]);
   }
   preview(edit: Edit) {
     return this.core.call('preview', [edit]);
   }
-  job(name: string, values: JobValues, files: Record<string, Uint8Array>): Promise<JobResult> {
-    return this.long(() => this.core.call('job', [name, values, files]));
+  job(name: string, values: JobValues, files: Record<string, Uint8Array>, progress?: (p: Progress) => void): Promise<JobResult> {
+    return this.long(() => this.core.call('job', [name, values, files], progress));
   }
 }

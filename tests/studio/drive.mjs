@@ -129,6 +129,29 @@ async function thePagesAreDrawn(page) {
   await accessible(page, 'pages');
 }
 
+async function theToolsDoTheirJobs(page) {
+  await page.click('#tab-jobs');
+  await page.click('button[data-job=inflate]');
+  assert.match(await page.textContent('#job-command'), /^plico inflate bird.obj -o bird-round.obj$/);
+  await picture(page, 'tools-inflate');
+  await accessible(page, 'tools');
+  await page.click('#job-run');
+  await page.waitForSelector('#job-result [data-status=good]', { timeout: 60000 });
+  assert.match(await page.textContent('#job-result'), /hyperbolic.*bird-round.obj/s);
+  await page.click('button[data-job="origami make"]');
+  await until(page, () => /^plico origami make/.test(document.getElementById('job-command').textContent));
+  await page.selectOption('#job-form select', 'waterbomb');
+  assert.match(await page.textContent('#job-command'), /waterbomb/);
+  await page.click('#job-run');
+  await page.waitForSelector('#job-result img', { timeout: 60000 });
+  assert.match(await page.textContent('#job-result'), /waterbomb.fold/);
+  await picture(page, 'tools-pattern');
+  await page.click('button[data-job=check]');
+  await page.click('#job-run');
+  await page.waitForSelector('#job-result [data-status=good]', { timeout: 60000 });
+  await accessible(page, 'tools, a result');
+}
+
 async function aReloadLosesNothing(page) {
   const before = await projectText(page);
   await page.waitForTimeout(1000);
@@ -157,9 +180,10 @@ try {
   await badFilesAreTold(page);
   await theModelFolds(page);
   await thePagesAreDrawn(page);
+  await theToolsDoTheirJobs(page);
   await aReloadLosesNothing(page);
   await page.setViewportSize({ width: 390, height: 844 });
-  for (const tab of ['net', 'fold', 'pages']) {
+  for (const tab of ['net', 'fold', 'pages', 'jobs']) {
     await page.evaluate((t) => window.studio.tab(t), tab);
     await page.waitForTimeout(400);
     await picture(page, `${tab}-390`);

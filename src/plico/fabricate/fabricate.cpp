@@ -32,11 +32,6 @@ std::vector<std::vector<Vec2>> part_points(const Unfolding& net) {
 }
 
 // Parts must fit with a tab's depth to spare on both sides, which is the most that tabs can add.
-Vec2 room_without_tabs(const LayoutOptions& options) {
-  const double tab = options.tabs.side == TabSide::None ? 0 : options.tabs.depth;
-  return printable(options.page) - Vec2::Constant(2 * tab);
-}
-
 // Many parts, like the pieces of a set, share pages: about kPartsAPage lie on one, not each alone on its own.
 constexpr int kPartsAPage = 8;
 constexpr double kShareCovered = 0.5;  // of a page, by the hulls of parts with their tabs
@@ -280,6 +275,11 @@ void check(const LayoutOptions& options) {
 
 }  // namespace
 
+Vec2 room_without_tabs(const LayoutOptions& options) {
+  const double tab = options.tabs.side == TabSide::None ? 0 : options.tabs.depth;
+  return printable(options.page) - Vec2::Constant(2 * tab);
+}
+
 double wanted_scale(const Unfolding& net, const FoldedShape& shape, const LayoutOptions& options) {
   return options.size.fill_page && !options.size.is_given() ? scale_that_fills_page(net, shape, options)
                                                             : scale_of(shape, options.size);
@@ -321,11 +321,11 @@ LayoutResult lay_out_pages(const Unfolding& model_net, const FoldedShape& shape,
   layout.parts = Assembler(sides, outlines, report.tabs, placed, shape, titles, options).parts();
   add_marks(layout, sides, outlines, options.marks);
   run.report("writing labels", 0);
-  report.joints_unnamed = write_joints(layout, options.joints, net.part, placed.placements, Font());
+  report.joints_unnamed = write_joints(layout, options.joints, options.joint, net.part, placed.placements, Font());
   report.edge_ids = seam_names(sides, outlines, report.tabs, titles, options.seams);
   for (const int part : net.part) report.part_of_panel.push_back(titles[part].id);
   report.labels = add_labels(layout, report.edge_ids, Font(), options.labels);
-  draw_joints(layout, options.joints, net.part, placed.placements);
+  report.joints_without_hole = draw_joints(layout, options.joints, options.joint, net.part, placed.placements);
   report.pages = static_cast<int>(layout.pages.size());
   report.parts = static_cast<int>(layout.parts.size());
   report.fill_ratio = placed.fill_ratio;

@@ -30,7 +30,8 @@ struct LayoutOptions {
   double flat = radians(0.5);      // folds up to this angle count as flat, radians
   std::vector<PartTitle> titles;   // of each part of the net; empty: "A", "B", ...
   std::vector<int> seams;          // number of each sheet edge glued to another part; empty, or 0 of all: numbered here
-  std::vector<JointFacet> joints;  // facets that are glued to facets of other parts
+  std::vector<JointFacet> joints;  // facets that meet facets of other parts
+  JointKind joint = JointKind::Glue;
 };
 
 struct LayoutReport {
@@ -41,7 +42,8 @@ struct LayoutReport {
   double fill_ratio = 0;  // parts and tabs over printable area
   Tabs tabs;              // tabs made, shrunk, moved, omitted
   LabelReport labels;
-  int joints_unnamed = 0;  // facets to glue that are too small for their text
+  int joints_unnamed = 0;       // facets of joints that are too small for their text
+  int joints_without_hole = 0;  // of rivets, too small for the hole
   int pages_without_ruler = 0;
   // As printed: of each edge of the net, "" for none; and the letter of the part that each panel is printed in. Edges
   // that splitting made follow after those of the net.
@@ -52,6 +54,9 @@ struct LayoutResult {
   PageLayout layout;
   LayoutReport report;
 };
+
+// What a net may take of a page, so that there is room for its tabs.
+Vec2 room_without_tabs(const LayoutOptions& options);
 
 // The scale at which lay_out_pages() prints: millimetres per unit.
 double wanted_scale(const Unfolding& net, const FoldedShape& shape, const LayoutOptions& options = {});

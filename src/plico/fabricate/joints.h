@@ -9,7 +9,11 @@
 
 namespace plico {
 
-// One side of a joint: where a facet of another piece is glued on.
+// How pieces hold on to each other where their facets meet: glued; by a paper rivet through a hole in both, so that
+// they can be turned; or in a way of which the pages say nothing.
+enum class JointKind { Glue, Rivet, None };
+
+// One side of a joint: where a facet of another piece meets this one.
 struct JointFacet {
   int panel = -1;             // of the net
   std::vector<Vec2> polygon;  // where the pieces touch, on that panel of the net, in the net's unit; convex
@@ -17,13 +21,16 @@ struct JointFacet {
   std::string text;           // as "to B: 3", the same number on both
 };
 
-// Writes the text of each facet into its polygon, as large as fits (10 to 4 pt), before other labels are placed.
-// Returns how many did not fit. `placed` has the placement of every part.
-int write_joints(PageLayout& layout, const std::vector<JointFacet>& facets, const std::vector<int>& part_of_panel,
-                 const std::vector<Placement>& placed, const Font& font);
+inline constexpr double kRivet = 4;  // millimetres, the hole
 
-// Draws the polygon of each facet and a stroke from its corner `up` towards the middle, the same on both sides.
-void draw_joints(PageLayout& layout, const std::vector<JointFacet>& facets, const std::vector<int>& part_of_panel,
-                 const std::vector<Placement>& placed);
+// Writes the text of each facet into its polygon, as large as fits (10 to 4 pt), beside the hole if there is one,
+// before other labels are placed. Returns how many did not fit. `placed` has the placement of every part.
+int write_joints(PageLayout& layout, const std::vector<JointFacet>& facets, JointKind kind,
+                 const std::vector<int>& part_of_panel, const std::vector<Placement>& placed, const Font& font);
+
+// Draws the polygon of each facet and a stroke from its corner `up` towards the middle, the same on both sides, and the
+// hole for the rivet at its centroid. Returns for how many facets the hole is too large.
+int draw_joints(PageLayout& layout, const std::vector<JointFacet>& facets, JointKind kind,
+                const std::vector<int>& part_of_panel, const std::vector<Placement>& placed);
 
 }  // namespace plico

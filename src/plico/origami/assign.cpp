@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cadical.hpp>
 #include <cmath>
+#include <optional>
 
 #include "plico/base/error.h"
 #include "plico/origami/pattern_check.h"
@@ -108,6 +109,13 @@ class AssignmentFormula {
     return status;
   }
 
+  // Not this answer again, as far as the creases say that are `free`.
+  void forbid(const std::vector<int>& free) {
+    std::vector<int> clause;
+    for (int e : free) clause.push_back(is_valley(e) ? -(e + 1) : e + 1);
+    add(clause);
+  }
+
   bool is_valley(int edge) { return solver_.val(edge + 1) > 0; }
 
   // The vertices without whose conditions there may be an assignment.
@@ -163,21 +171,57 @@ std::string why_not_together(const CreasePattern& sheet, const std::vector<int>&
                      vertices.size() > kMostVerticesNamed ? ", ..." : "");
 }
 
-AssignResult none(const CreasePattern& sheet, std::vector<int> vertices, std::string why) {
-  return {Ending::Exhausted, sheet, 0, std::move(vertices), std::move(why)};
+AssignResult none(const CreasePattern& sheet, std::vector<int> vertices, std::string why, Ending ending) {
+  AssignResult result;
+  result.ending = ending;
+  result.sheet = sheet;
+  result.vertices = std::move(vertices);
+  result.why = std::move(why);
+  return result;
 }
 
-AssignResult written(const CreasePattern& sheet, AssignmentFormula& formula) {
-  AssignResult result{Ending::Found, sheet, 0, {}, {}};
-  const std::vector<int> hinge = hinge_of_edge(sheet);
-  for (int e = 0; e < sheet.num_edges(); ++e) {
+AssignResult written(const CreasePattern& sheet, const std::vector<int>& free, AssignmentFormula& formula) {
+  AssignResult result;
+  result.ending = Ending::Found;
+  result.sheet = sheet;
+  result.assigned = static_cast<int>(free.size());
+  for (int e : free) {
     Crease& crease = result.sheet.edges[e];
-    if (crease.assignment != Assignment::Unassigned || hinge[e] < 0) continue;
     crease.assignment = formula.is_valley(e) ? Assignment::Valley : Assignment::Mountain;
     crease.fold_angle = flat_fold_angle(crease.assignment);
-    ++result.assigned;
   }
   return result;
+}
+
+std::vector<int> creases_without_letter(const CreasePattern& sheet) {
+  std::vector<int> free;
+  const std::vector<int> hinge = hinge_of_edge(sheet);
+  for (int e = 0; e < sheet.num_edges(); ++e)
+    if (sheet.edges[e].assignment == Assignment::Unassigned && hinge[e] >= 0) free.push_back(e);
+  return free;
+}
+
+// The first assignment that suits, or else the first of all.
+AssignResult first_that_suits(const CreasePattern& sheet, const AssignOptions& options, AssignmentFormula& formula,
+                              const Run& run) {
+  const std::vector<int> free = creases_without_letter(sheet);
+  std::optional<AssignResult> first;
+  for (int refused = 0; refused <= options.max_refused; ++refused) {
+    const int status = formula.solve(run);
+    if (status != 10) {
+      if (first) break;
+      if (status != 20) return none(sheet, {}, {}, run.ending());
+      const std::vector<int> vertices = formula.clashing();
+      return none(sheet, vertices, why_not_together(sheet, vertices), Ending::Exhausted);
+    }
+    AssignResult found = written(sheet, free, formula);
+    if (!options.suits || options.suits(found.sheet)) return found;
+    found.suits = false;
+    if (!first) first = std::move(found);
+    if (free.empty()) break;
+    formula.forbid(free);
+  }
+  return *std::move(first);
 }
 
 }  // namespace
@@ -215,6 +259,7 @@ bool folds_flat(std::vector<double> sectors, std::vector<int> folds, double angl
 
 AssignResult assign_creases(const CreasePattern& sheet, const AssignOptions& options, const Run& run) {
   require(options.angle > 0, "angle", options.angle, "above 0");
+  require(options.max_refused >= 0, "max refused", options.max_refused, "at least 0");
   AssignmentFormula formula(sheet, options);
   for (const VertexFacts& facts : vertex_facts(sheet)) {
     const FlatVertex vertex = flat_vertex(sheet, facts);
@@ -223,14 +268,11 @@ AssignResult assign_creases(const CreasePattern& sheet, const AssignOptions& opt
           "origami/degree",
           fmt::format("{} creases at a vertex, at most {} can be assigned", vertex.edges.size(), kMostAssigned),
           place_of(sheet, vertex.vertex));
-    if (run.over()) return {run.ending(), sheet, 0, {}, {}};
-    if (!formula.ask_for(vertex)) return none(sheet, {vertex.vertex}, why_not_flat(sheet, vertex, options.angle));
+    if (run.over()) return none(sheet, {}, {}, run.ending());
+    if (!formula.ask_for(vertex))
+      return none(sheet, {vertex.vertex}, why_not_flat(sheet, vertex, options.angle), Ending::Exhausted);
   }
-  const int status = formula.solve(run);
-  if (status == 10) return written(sheet, formula);
-  if (status != 20) return {run.ending(), sheet, 0, {}, {}};
-  const std::vector<int> vertices = formula.clashing();
-  return none(sheet, vertices, why_not_together(sheet, vertices));
+  return first_that_suits(sheet, options, formula, run);
 }
 
 }  // namespace plico

@@ -1,5 +1,6 @@
 // Mountains and valleys for creases that were drawn without: such that the sheet folds flat around every vertex.
 #pragma once
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,12 +13,15 @@ inline constexpr int kMostAssigned = 16;  // mountains, valleys and unassigned c
 
 struct AssignOptions {
   double angle = 5e-3;  // radians: what Kawasaki's sums may be off by, and sectors that count as equal; above 0
+  std::function<bool(const CreasePattern&)> suits = {};  // what else is asked of an assignment; none: nothing
+  int max_refused = 200;                                 // assignments that do not suit, at least 0
 };
 
 struct AssignResult {
   Ending ending = Ending::Exhausted;  // Exhausted: there is no such assignment
   CreasePattern sheet;                // Found: with every crease assigned; otherwise as given
   int assigned = 0;                   // creases that had no letter
+  bool suits = true;                  // Found: false when none of those tried did; then it is the first of them
   std::vector<int> vertices;          // Exhausted: one that cannot fold flat, or some that cannot together
   std::string why;                    // Exhausted: the reason, a sentence about these
 };

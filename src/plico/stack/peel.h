@@ -13,8 +13,8 @@ namespace plico {
 
 struct PeelOptions {
   double air = 0.01;     // each face of a panel moves inwards by this share of its thickness, in (0, 0.5)
-  int widest = 3;        // hinges that may be open at a time, 1 to 4
-  int step = 30;         // degrees between angles, a divisor of 90
+  int widest = 4;        // hinges that may be open at a time, 1 to 4
+  int step = 90;         // degrees between angles, a divisor of 90
   long nodes = 1000000;  // states looked at in the whole search, at least 0
   long patience = 3000;  // and since the longest prefix grew, at least 1: another chain is tried sooner than all ways
 };

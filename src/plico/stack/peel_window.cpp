@@ -4,10 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "plico/base/libm.h"
+
 namespace plico {
 namespace {
 
 constexpr int kMostHalvings = 32;
+constexpr long kMostIntervals = 20000;  // of one way: a search that is asked to stop must not hang in a narrow place
 
 // Farthest distance of the corners from the line.
 double farthest(const std::array<Vec3, 8>& corners, const Vec3& point, const Vec3& axis) {
@@ -102,7 +105,7 @@ PeelWindow::Motion PeelWindow::motion(int mover, int below, const Interval& inte
     double loose = motion.total;
     if (interval.changes_axis[i]) loose += std::sqrt(2.0) * bodies_.hinge(first_ + i).roll;
     const double length = half * (farthest(motion.corners, at.point[i], at.axis[i]) + loose);
-    motion.turns[motion.count++] = {at.axis[i], at.point[i], half, std::sin(half), 1 - std::cos(half), loose};
+    motion.turns[motion.count++] = {at.axis[i], at.point[i], half, plico::sin(half), 1 - plico::cos(half), loose};
     motion.total += length;
   }
   return motion;
@@ -163,16 +166,17 @@ bool PeelWindow::free_at(const OpenAngles& angles) const {
 }
 
 bool PeelWindow::free_between(const OpenAngles& from, const OpenAngles& to, long& intervals) const {
-  return halve(from, to, 0, intervals);
+  return halve(from, to, 0, intervals, intervals + kMostIntervals);
 }
 
-bool PeelWindow::halve(const OpenAngles& from, const OpenAngles& to, int depth, long& intervals) const {
-  ++intervals;
+bool PeelWindow::halve(const OpenAngles& from, const OpenAngles& to, int depth, long& intervals, long most) const {
+  if (++intervals > most) return false;
   const Interval whole = interval(from, to);
   if (is_hit(whole.at)) return false;
   if (is_clear(whole)) return true;
   const OpenAngles half = middle(from, to);
-  return depth < kMostHalvings && halve(from, half, depth + 1, intervals) && halve(half, to, depth + 1, intervals);
+  return depth < kMostHalvings && halve(from, half, depth + 1, intervals, most) &&
+         halve(half, to, depth + 1, intervals, most);
 }
 
 }  // namespace plico

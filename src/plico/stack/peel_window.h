@@ -63,7 +63,7 @@ class PeelWindow {
   int last_standing(int mover) const;
   bool is_hit(const Placed& placed) const;
   bool is_clear(const Interval& interval) const;
-  bool halve(const OpenAngles& from, const OpenAngles& to, int depth, long& intervals) const;
+  bool halve(const OpenAngles& from, const OpenAngles& to, int depth, long& intervals, long most) const;
 
   const PeelBodies& bodies_;
   int first_, count_;

@@ -118,6 +118,8 @@ void find_kit(const Mesh& mesh, const CraftOptions& options, const Run& run, Cra
   if (options.parts) {
     SegmentOptions cut = *options.parts;
     cut.prove = wanted_of_parts(options);
+    if (options.layout.size.is_given() && cut.wish != PartsWish::Exactly)
+      cut.page = PageFit{room_without_tabs(options.layout), scale_of(folded_shape(mesh), options.layout.size)};
     kit = segment_mesh(mesh, cut, run);
   } else {
     kit = make_kit(mesh, options.pieces ? *options.pieces : by_components(mesh), wanted_of_parts(options), run);
@@ -198,6 +200,8 @@ std::string caption_of(const CraftOptions& options, const std::string& file) {
   return file.substr(begin, file.size() - begin - 4);
 }
 
+bool is_put_together(const CraftResult& result) { return result.kit && result.kit->parts.num_parts() > 1; }
+
 // What is printed at each side of each panel.
 std::vector<std::vector<std::string>> side_ids(const CraftResult& result) {
   const NetSides sides(result.net);
@@ -215,7 +219,8 @@ std::string page_text(const Mesh& mesh, const CraftOptions& options, const Craft
   page.stand = stand_of(result.net, page.linkage, mesh, options.layout.size.up);
   page.report = report.dump();
   page.start = 1;  // the model, beside its net
-  if (result.kit && result.motion) page.home = standing(assembled(mesh, result.net), options.layout.size.up);
+  if (is_put_together(result) && result.motion)
+    page.home = standing(assembled(mesh, result.net), options.layout.size.up);
   page.part_of_panel = result.layout.report.part_of_panel;
   page.side_ids = side_ids(result);
   if (result.motion) {
@@ -268,7 +273,7 @@ void add_drawings(const Mesh& mesh, const CraftOptions& options, const Run& run,
   result.layout = lay_out_pages(result.net, folded_shape(mesh), layout, run);
   result.layout_verdict = verify_layout(result.layout.layout);
   add_pages(options, result);
-  if (result.kit && !result.kit->joints.empty()) add_pictures(mesh, options, result);
+  if (is_put_together(result)) add_pictures(mesh, options, result);
 }
 
 void report_pages(const CraftResult& result, nlohmann::json& report) {
@@ -349,6 +354,7 @@ nlohmann::json craft_report(const Mesh& mesh, const CraftResult& result) {
     report["joints"] = joints_json(*result.kit);
     report["joints_verified"] = result.joint_defects.empty();
     report["joints_too_small_for_text"] = result.layout.report.joints_unnamed;
+    report["joints_too_small_for_rivet"] = result.layout.report.joints_without_hole;
   }
   if (result.motion)
     report["motion"] = {{"kind", result.motion_kind},

@@ -60,7 +60,7 @@ struct CraftResult {
   LayoutVerdict layout_verdict;
   std::vector<Defect> joint_defects;  // of the joints of the kit
   // NAME.pdf, NAME.svg (NAME-1.svg, ... for several pages), NAME.dxf, NAME.fold (with the motion), index.html,
-  // report.json; of a kit with joints also pictures, NAME-assembled.png and NAME-exploded.png
+  // report.json; of a kit of several parts also pictures, NAME-assembled.png and NAME-exploded.png
   std::vector<CraftFile> files;
 
   bool proven() const { return motion && motion->proof.verdict == PathVerdict::Free; }

@@ -12,7 +12,7 @@
 #include "plico/fold/linkage.h"
 #include "plico/io/pattern/pattern_file.h"
 #include "plico/io/text/xml_text.h"
-#include "plico/workflow/plan_drawn.h"
+#include "plico/workflow/plan_sheets.h"
 
 namespace plico {
 namespace {
@@ -118,7 +118,7 @@ std::optional<PatternFile> read_row(std::string_view bytes, const DrawingOptions
 }
 
 void plan_row(FoldFile& file, const Linkage& linkage, const MotionOptions& options, const Run& run, GalleryRow& row) {
-  const MotionOutcome outcome = plan_drawn(file.net.sheet, options, run);
+  const MotionOutcome outcome = plan_sheets(file.net.sheet, options, run);
   row.planned = true;
   row.ending = outcome.ending;
   row.motion_notes = outcome.notes;

@@ -8,6 +8,8 @@
 #include <set>
 
 #include "plico/base/error.h"
+#include "plico/fabricate/split.h"
+#include "plico/geom/convex2.h"
 #include "plico/mesh/measures.h"
 #include "plico/segment/clusters.h"
 #include "plico/segment/coarse.h"
@@ -41,7 +43,10 @@ struct Piece {
   std::vector<int> faces;  // ascending
   int origin = 0;          // the part it was cut from when that failed
   ProvenPart proof;
-  bool whole = false;  // nothing of it can be cut off, since its faces are kept together
+  bool whole = false;  // nothing of it can be cut off: it is one face, or its faces are kept together
+  bool fits = true;    // the page
+
+  bool sound() const { return proof.proven() && fits; }
 };
 
 class Segmenter {
@@ -171,13 +176,29 @@ class Segmenter {
     run_.report("proving parts", static_cast<long>(first), static_cast<long>(pieces_.size()));
     parallel_for(run_, static_cast<int>(pieces_.size() - first),
                  [&](int i) { pieces_[first + i].proof = prove(pieces_[first + i].faces, alone); });
-    for (std::size_t i = first; i < pieces_.size(); ++i)
-      if (!pieces_[i].proof.proven()) failed_.insert(pieces_[i].faces);
+    for (std::size_t i = first; i < pieces_.size(); ++i) {
+      pieces_[i].fits = fits(pieces_[i].proof);
+      if (!pieces_[i].sound()) failed_.insert(pieces_[i].faces);
+    }
+  }
+
+  // No net has less area than its faces.
+  bool may_fit(const std::vector<int>& faces) const {
+    if (!options_.page) return true;
+    double sum = 0;
+    for (int f : faces) sum += area(mesh_, FaceId(f));
+    return sum * options_.page->scale * options_.page->scale <= options_.page->room.prod();
+  }
+
+  bool fits(const ProvenPart& part) const {
+    if (!options_.page) return true;
+    std::vector<Vec2> corners;
+    for (const Vec2& p : part.net.sheet.vertices) corners.emplace_back(options_.page->scale * p);
+    return angle_that_fits(convex_hull(std::move(corners)), options_.page->room).has_value();
   }
 
   int first_failure() const {
-    const auto at =
-        std::find_if(pieces_.begin(), pieces_.end(), [](const Piece& p) { return !p.proof.proven() && !p.whole; });
+    const auto at = std::find_if(pieces_.begin(), pieces_.end(), [](const Piece& p) { return !p.sound() && !p.whole; });
     return at == pieces_.end() ? -1 : static_cast<int>(at - pieces_.begin());
   }
 
@@ -187,6 +208,7 @@ class Segmenter {
   }
 
   bool join_small(int p) {
+    if (pieces_[p].proof.proven()) return false;  // it is too large
     if (options_.wish == PartsWish::Fewest || options_.method != SegmentMethod::Necks) return false;
     if (pieces_[p].faces.size() > kSmallPiece) return false;
     for (const auto& [cost, pair] : seams_by_cost())
@@ -212,6 +234,7 @@ class Segmenter {
   }
 
   bool split(int p) {
+    if (pieces_[p].faces.size() == 1) return false;
     const std::vector<int> side = side_of_cut(pieces_[p].faces);
     if (side.empty()) return false;
     std::vector<int> rest;
@@ -219,8 +242,8 @@ class Segmenter {
                         std::back_inserter(rest));
     const int origin = pieces_[p].origin;
     pieces_.erase(pieces_.begin() + p);
-    pieces_.push_back({rest, origin, {}, false});
-    pieces_.push_back({side, origin, {}, false});
+    pieces_.push_back({rest, origin, {}});
+    pieces_.push_back({side, origin, {}});
     was_split_.insert(origin);
     prove_from(pieces_.size() - 2);
     return true;
@@ -253,13 +276,13 @@ class Segmenter {
     std::vector<int> faces;
     std::merge(pieces_[p].faces.begin(), pieces_[p].faces.end(), pieces_[q].faces.begin(), pieces_[q].faces.end(),
                std::back_inserter(faces));
-    if (failed_.contains(faces) || holds_a_pair_apart(faces)) return false;
+    if (failed_.contains(faces) || holds_a_pair_apart(faces) || !may_fit(faces)) return false;
     ProvenPart proof = prove(faces, run_);
-    if (!proof.proven()) {
+    if (!proof.proven() || !fits(proof)) {
       failed_.insert(faces);
       return false;
     }
-    pieces_[p] = {std::move(faces), pieces_[p].origin, std::move(proof), false};
+    pieces_[p] = {std::move(faces), pieces_[p].origin, std::move(proof)};
     pieces_.erase(pieces_.begin() + q);
     return true;
   }
@@ -283,16 +306,30 @@ class Segmenter {
     }
   }
 
+  void note_what_does_not_fit(const Segmentation& parts) {
+    const Vec2& room = options_.page->room;
+    for (const Piece& piece : pieces_) {
+      if (piece.fits) continue;
+      const int face = piece.faces[0];
+      const std::string what = piece.faces.size() == 1 ? fmt::format("face {}", face)
+                                                       : fmt::format("the net of {}", parts.names[parts.part[face]]);
+      notes_.push_back(fmt::format("{} does not fit {:.4g} x {:.4g} mm", what, room.x(), room.y()));
+    }
+  }
+
   Kit finish() {
     std::vector<int> part(mesh_.num_faces());
     for (std::size_t p = 0; p < pieces_.size(); ++p)
       for (int f : pieces_[p].faces) part[f] = static_cast<int>(p);
     Segmentation parts = segmentation_by_labels(mesh_, part);
     std::vector<ProvenPart> proofs(pieces_.size());
+    const bool all_fit = std::all_of(pieces_.begin(), pieces_.end(), [](const Piece& p) { return p.fits; });
+    if (!all_fit) note_what_does_not_fit(parts);
     for (Piece& piece : pieces_) proofs[parts.part[piece.faces[0]]] = std::move(piece.proof);
     if (options_.wish == PartsWish::Exactly && parts.num_parts() != options_.parts)
       notes_.push_back(fmt::format("{} parts were asked for, there are {}", options_.parts, parts.num_parts()));
     Kit result = put_together(mesh_, std::move(parts), std::move(proofs), run_);
+    if (!all_fit && result.ending == Ending::Found) result.ending = run_.over() ? run_.ending() : Ending::Exhausted;
     if (images_) {
       result.mirror = mirror_partners(result.parts.part, *images_);
       if (const auto lone = std::count(result.mirror.begin(), result.mirror.end(), -1); lone > 0)
@@ -321,6 +358,10 @@ class Segmenter {
 void check(const SegmentOptions& options) {
   require(options.neck > 0, "neck", options.neck, "above 0");
   require(options.max_parts >= 1, "max-parts", options.max_parts, "at least 1");
+  if (options.page) {
+    require(options.page->scale > 0, "scale", options.page->scale, "above 0 mm per unit");
+    require(options.page->room.minCoeff() > 0, "page", options.page->room.minCoeff(), "wider than margins and tabs");
+  }
   require(options.min_area >= 0 && options.min_area <= 0.5, "min-area", options.min_area, "in [0, 0.5]");
 }
 

@@ -1,5 +1,5 @@
 // The page's end of the worker: calls in order, progress, and a stop that works at any time.
-import type { Calls, Failure, Progress, Reply } from './protocol';
+import type { Begin, Calls, Failure, PackedModule, Progress, Reply, Unpacked } from './protocol';
 
 export class Refused extends Error {
   constructor(readonly failure: Failure) {
@@ -20,7 +20,7 @@ export class Core {
   private lastId = 0;
   private broken?: Failure; // why the worker did not start
 
-  constructor(private readonly script: string, private readonly wasm: ArrayBuffer) {
+  constructor(private readonly script: string, private module: PackedModule | ArrayBuffer) {
     this.start();
   }
 
@@ -48,9 +48,12 @@ export class Core {
     this.broken = undefined;
     const url = URL.createObjectURL(new Blob([this.script], { type: 'text/javascript' }));
     this.worker = new Worker(url);
-    this.worker.onmessage = (event: MessageEvent<Reply>) => this.hear(event.data);
+    this.worker.onmessage = (event: MessageEvent<Reply | Unpacked>) => {
+      if ('module' in event.data) this.module = event.data.module;
+      else this.hear(event.data);
+    };
     this.worker.onerror = (event) => this.fail(event.message);
-    this.worker.postMessage({ wasm: this.wasm });
+    this.worker.postMessage({ begin: this.module } satisfies Begin);
   }
 
   private hear(reply: Reply): void {

@@ -51,6 +51,25 @@ export interface JobResult {
 
 export type JobValues = [string, string][];
 
+/** An option of a job, as describe_jobs() of the core tells it. */
+export interface JobOption {
+  name: string;
+  value: string; // what stands for the value: "FILE", "N"; empty for a flag
+  unit: string;
+  default: string;
+  choices: string[];
+  help: string;
+  positional: boolean;
+  required: boolean;
+  repeatable: boolean;
+}
+export interface JobDescription {
+  name: string;
+  summary: string;
+  examples: [string, string][];
+  options: JobOption[];
+}
+
 export interface Calls {
   open(name: string, bytes: Uint8Array): { model: Model; snapshot: Snapshot };
   editFor(edge: number): Edit | null;
@@ -61,6 +80,8 @@ export interface Calls {
   motion(plan: boolean): MotionVerdict;
   fold(time: number): Float32Array;
   project(): Uint8Array;
+  mesh(): Uint8Array; // OBJ
+  jobs(): JobDescription[];
   net(): Uint8Array; // FOLD, with the motion if it is proven
   job(name: string, values: JobValues, files: Record<string, Uint8Array>): JobResult;
 }
@@ -78,6 +99,16 @@ export interface Progress {
   total: number;
   note: string;
 }
+
+/** The module as the page holds it: LZMA in text91. */
+export interface PackedModule {
+  text: string;
+  packedBytes: number;
+  bytes: number;
+}
+/** What a worker begins with; it unpacks once, and sends the module back for the next worker. */
+export type Begin = { begin: PackedModule | ArrayBuffer };
+export type Unpacked = { module: ArrayBuffer };
 
 export type Request = { id: number; call: keyof Calls; args: unknown[] };
 export type Reply = { id: number } & ({ result: unknown } | { failure: Failure } | { progress: Progress });

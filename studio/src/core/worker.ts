@@ -1,6 +1,8 @@
 // The worker: Plico's module, one model at a time.
 import createPlico from 'plico-module';
-import type { Calls, Edit, Failure, Reply, Request, Snapshot, Verdict } from './protocol';
+import type { Begin, Calls, Edit, Failure, JobDescription, PackedModule, Reply, Request, Snapshot, Unpacked, Verdict } from './protocol';
+import { unpacked } from './lzma';
+import { decoded } from './text91';
 
 const refused = (failure: Failure): Error => Object.assign(new Error(failure.message), { failure });
 
@@ -47,6 +49,8 @@ function start(plico: any, report: (phase: string, done: number, total: number, 
     motion: (plan) => parsed(editor.motion(plan, report)),
     fold: (time) => editor.foldedCorners(time),
     project: () => editor.projectBytes(),
+    mesh: () => editor.meshBytes(),
+    jobs: () => JSON.parse(plico.describeJobs()) as JobDescription[],
     net: () => editor.foldBytes(),
     job(name, values, files) {
       const workspace = new plico.Workspace();
@@ -76,9 +80,21 @@ function report(phase: string, done: number, total: number, note: string): void 
   postMessage({ id: current, progress: { phase, done, total, note } } satisfies Reply);
 }
 
-addEventListener('message', async (event: MessageEvent<Request | { wasm: ArrayBuffer }>) => {
-  if ('wasm' in event.data) {
-    calls = createPlico({ wasmBinary: event.data.wasm, locateFile: (path: string) => path }).then((plico: unknown) => start(plico, report));
+function moduleOf({ text, packedBytes, bytes }: PackedModule): ArrayBuffer {
+  const { buffer } = unpacked(decoded(text, packedBytes), bytes);
+  postMessage({ module: buffer } satisfies Unpacked);
+  return buffer;
+}
+
+async function begin(from: PackedModule | ArrayBuffer): Promise<Calls> {
+  const wasmBinary = from instanceof ArrayBuffer ? from : moduleOf(from);
+  return start(await createPlico({ wasmBinary, locateFile: (path: string) => path }), report);
+}
+
+addEventListener('message', async (event: MessageEvent<Request | Begin>) => {
+  if ('begin' in event.data) {
+    calls = begin(event.data.begin);
+    calls.catch(() => undefined); // told to whoever asks
     return;
   }
   const { id, call, args } = event.data;

@@ -6,6 +6,7 @@ import type { Session } from '../session';
 type Guarded = (work: () => Promise<void>) => Promise<void>;
 
 const kTabSides = ['auto', 'alternate', 'left', 'right', 'both', 'none'];
+const kExports = [['html', 'folding page'], ['glb', 'animation (glTF)'], ['urdf', 'robot (URDF)'], ['xml', 'robot (MuJoCo)'], ['csv', 'angles (CSV)']] as const;
 const kStyles = ['paper', 'origami', 'laser', 'bw'];
 
 export class PagesPanel {
@@ -21,11 +22,12 @@ export class PagesPanel {
       void this.layOut();
     });
     form.addEventListener('change', () => void this.layOut());
+    this.offer('PDF', () => this.pages('pdf'));
     this.offer('SVG', () => this.pages('svg'));
     this.offer('DXF', () => this.pages('dxf'));
     this.offer('FOLD', async () => ({ [`${this.name()}.fold`]: await this.session.net() }));
-    this.offer('Project', async () => ({ [`${this.name()}.plico`]: await this.session.project() }));
-    for (const kind of ['glb', 'urdf', 'xml', 'csv', 'html']) this.offer(kind, () => this.exported(kind));
+    this.offer('project', async () => ({ [`${this.name()}.plico`]: await this.session.project() }));
+    for (const [kind, label] of kExports) this.offer(label, () => this.exported(kind));
   }
 
   newModel(): void {
@@ -42,7 +44,7 @@ export class PagesPanel {
     return this.session.shape!.model.name.replace(/[^\p{L}\p{N}_.-]+/gu, '-').slice(0, 80) || 'model';
   }
 
-  private async pages(kind: 'svg' | 'dxf'): Promise<Record<string, Uint8Array>> {
+  private async pages(kind: 'pdf' | 'svg' | 'dxf'): Promise<Record<string, Uint8Array>> {
     const form = new FormData(byId<HTMLFormElement>('page-form'));
     const net = `${this.name()}.fold`;
     const values: JobValues = [['net', net], ['output', `${this.name()}.${kind}`], ['title', this.session.shape!.model.name]];

@@ -1,4 +1,5 @@
 // A model in space, drawn with WebGL 2: the mesh as it is, or its panels on the way from flat to folded.
+import { listen } from './pointers';
 import type { Shape } from './shape';
 
 export interface SpaceColors {
@@ -6,6 +7,8 @@ export interface SpaceColors {
 }
 
 type Vec = [number, number, number];
+
+const kPixelsPerRadian = 150;
 
 const kFaceVertex = `#version 300 es
 in vec3 at; in float mark; uniform mat4 view; out vec3 place; flat out float marked;
@@ -57,10 +60,9 @@ export class SpaceView {
   private radius = 1;
   private azimuth = -0.6;
   private elevation = 0.5;
-  private distance = 1; // times what shows all
+  private distance = 1; // times what shows the sphere around all
+  private chosen = false; // by someone, who wants to keep it
   private queued = false;
-  private readonly pointers = new Map<number, { x: number; y: number }>();
-  private travelled = 0;
   private edge = -1;
 
   constructor(
@@ -69,16 +71,16 @@ export class SpaceView {
   ) {
     this.gl = canvas.getContext('webgl2', { antialias: true, alpha: true });
     if (this.gl) this.prepare(this.gl);
-    new ResizeObserver(() => this.redraw()).observe(canvas);
-    canvas.addEventListener('pointerdown', (e) => this.down(e));
-    canvas.addEventListener('pointermove', (e) => this.move(e));
-    canvas.addEventListener('pointerup', (e) => this.up(e));
-    canvas.addEventListener('pointercancel', (e) => this.pointers.delete(e.pointerId));
-    canvas.addEventListener('pointerleave', () => this.pointers.size === 0 && this.onPoint(-1));
-    canvas.addEventListener('wheel', (e) => {
-      e.preventDefault();
-      this.zoom(Math.exp(e.deltaY / 500));
-    }, { passive: false });
+    new ResizeObserver(() => (this.chosen ? this.redraw() : this.frame(this.at))).observe(canvas);
+    listen(canvas, {
+      point: (at) => this.onPoint(at ? this.edgeAt(at.x, at.y) : -1),
+      click: (at, event) => {
+        const edge = this.edgeAt(at.x, at.y);
+        if (edge >= 0) this.onClick(edge, event);
+      },
+      drag: (dx, dy) => this.turn(dx / kPixelsPerRadian, dy / kPixelsPerRadian),
+      zoom: (factor) => this.zoom(1 / factor),
+    });
   }
 
   get works(): boolean {
@@ -110,6 +112,7 @@ export class SpaceView {
 
   place(at: Float32Array): void {
     this.at = at;
+    if (!this.chosen) this.distance *= Math.max(1, this.largest(at) / 0.96); // panels on their way stay in view
     if (this.gl) this.fill(this.buffers.at, at);
     this.redraw();
   }
@@ -126,6 +129,7 @@ export class SpaceView {
 
   /** Shows all of these places, and keeps showing from the same side. */
   frame(at: Float32Array): void {
+    if (!at.length) return;
     const low: Vec = [Infinity, Infinity, Infinity], high: Vec = [-Infinity, -Infinity, -Infinity];
     for (let i = 0; i < at.length; ++i) {
       low[i % 3] = Math.min(low[i % 3]!, at[i]!);
@@ -134,7 +138,21 @@ export class SpaceView {
     this.center = [0, 1, 2].map((k) => (low[k]! + high[k]!) / 2) as Vec;
     this.radius = Math.hypot(...minus(high, low)) / 2 || 1;
     this.distance = 1;
+    this.distance = this.largest(at) / 0.9;
+    this.chosen = false;
     this.redraw();
+  }
+  /** How much of the view the places take, of its half width or height. */
+  private largest(at: Float32Array): number {
+    const { eye, right, up, toward, focal, aspect } = this.camera();
+    let most = 0;
+    for (let i = 0; i + 2 < at.length; i += 3) {
+      const x = at[i]! - eye[0], y = at[i + 1]! - eye[1], z = at[i + 2]! - eye[2];
+      const depth = -(x * toward[0] + y * toward[1] + z * toward[2]);
+      const across = ((x * right[0] + y * right[1] + z * right[2]) * focal) / aspect, along = (x * up[0] + y * up[1] + z * up[2]) * focal;
+      most = Math.max(most, Math.abs(across / depth), Math.abs(along / depth));
+    }
+    return Number.isFinite(most) && most > 0 ? most : 0.9;
   }
   turn(right: number, up: number): void {
     this.azimuth -= right;
@@ -143,6 +161,7 @@ export class SpaceView {
   }
   zoom(factor: number): void {
     this.distance = Math.max(0.05, Math.min(8, this.distance * factor));
+    this.chosen = true;
     this.redraw();
   }
   redraw(): void {
@@ -274,30 +293,5 @@ export class SpaceView {
       if (i >= 0 && j >= 0 && i + j <= 1 && far > 0 && far < nearest) nearest = far, best = shape.triangleFaces[t]!;
     }
     return best;
-  }
-
-  private local(event: PointerEvent): { x: number; y: number } {
-    const box = this.canvas.getBoundingClientRect();
-    return { x: event.clientX - box.left, y: event.clientY - box.top };
-  }
-  private down(event: PointerEvent): void {
-    this.canvas.setPointerCapture(event.pointerId);
-    this.pointers.set(event.pointerId, this.local(event));
-    this.travelled = this.pointers.size > 1 ? Infinity : 0;
-  }
-  private move(event: PointerEvent): void {
-    const to = this.local(event), from = this.pointers.get(event.pointerId);
-    if (!from) return this.onPoint(this.edgeAt(to.x, to.y));
-    const other = [...this.pointers].find(([id]) => id !== event.pointerId)?.[1];
-    if (other) this.zoom(Math.hypot(from.x - other.x, from.y - other.y) / Math.max(1, Math.hypot(to.x - other.x, to.y - other.y)));
-    else this.turn((to.x - from.x) / 150, (to.y - from.y) / 150);
-    this.travelled += Math.abs(to.x - from.x) + Math.abs(to.y - from.y);
-    this.pointers.set(event.pointerId, to);
-  }
-  private up(event: PointerEvent): void {
-    if (!this.pointers.delete(event.pointerId) || this.travelled > 6) return;
-    const { x, y } = this.local(event);
-    const edge = this.edgeAt(x, y);
-    if (edge >= 0) this.onClick(edge, event);
   }
 }

@@ -103,6 +103,22 @@ TEST(Assign, KeepsTheLettersThatAreThere) {
   }
 }
 
+TEST(Assign, GoesOnToTheNextChoiceWhenOneDoesNotSuit) {
+  const CreasePattern sheet = without_letters(waterbomb_base());
+  AssignOptions options;
+  int asked = 0;
+  options.suits = [&](const CreasePattern&) { return ++asked == 3; };
+  const AssignResult third = assign_creases(sheet, options);
+  EXPECT_EQ(asked, 3);
+  EXPECT_TRUE(third.suits);
+  options.suits = [&](const CreasePattern&) { return false; };
+  options.max_refused = 4;
+  const AssignResult first = assign_creases(sheet, options);
+  EXPECT_EQ(first.ending, Ending::Found);
+  EXPECT_FALSE(first.suits);
+  EXPECT_NE(goal(make_linkage(first.sheet)), goal(make_linkage(third.sheet)));
+}
+
 TEST(Assign, NamesTheVertexThatCannotFoldFlat) {
   CreasePattern sheet = without_letters(square_twist());
   const int moved = vertex_facts(sheet).front().vertex;

@@ -84,5 +84,23 @@ TEST(SegmentMesh, AssemblyBeginsWithTheLargestAndGoesOnAlongSeams) {
   EXPECT_THAT(assembly_steps(row, parts), testing::ElementsAre(1, 3, 2));
 }
 
+TEST(SegmentMesh, PartsThatFitNoPageAreCutOn) {
+  SegmentOptions options;
+  options.wish = PartsWish::Fewest;
+  options.page = PageFit{Vec2(25, 25), 10};  // of a cube of side 1 two faces fit, also three around a corner
+  const Mesh mesh{cube()};
+  const double side = length(mesh, EdgeId(0));
+  options.page->scale /= side;
+  const Kit result = segment_mesh(mesh, options);
+  EXPECT_EQ(result.ending, Ending::Found);
+  EXPECT_GE(result.parts.num_parts(), 2);
+  options.page->room = Vec2(9, 9);
+  const Kit too_small = segment_mesh(mesh, options);
+  EXPECT_EQ(too_small.ending, Ending::Exhausted);
+  EXPECT_EQ(too_small.parts.num_parts(), 6);
+  EXPECT_EQ(too_small.notes.size(), 6u);
+  EXPECT_THAT(too_small.notes[0], testing::HasSubstr("does not fit 9 x 9 mm"));
+}
+
 }  // namespace
 }  // namespace plico

@@ -22,7 +22,7 @@ PatternFile drawing(ImportedPattern imported) {
   const std::vector<int> parts = parts_of(imported.sheet);
   const int sheets = 1 + *std::max_element(parts.begin(), parts.end());
   if (sheets > 1)
-    imported.notes.push_back(fmt::format("{} separate sheets are drawn: they are folded at the same time", sheets));
+    imported.notes.push_back(fmt::format("{} separate sheets are drawn: each is folded by itself", sheets));
   return {fold_file(imported.sheet), std::move(imported.notes)};
 }
 

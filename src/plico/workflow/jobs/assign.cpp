@@ -7,6 +7,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "plico/origami/layer_order.h"
+#include "plico/verify/flat_layers.h"
+#include "plico/workflow/jobs/face_orders.h"
 #include "plico/workflow/jobs/jobs.h"
 #include "plico/workflow/jobs/read_sheet.h"
 #include "plico/workflow/jobs/session.h"
@@ -34,11 +37,34 @@ int count(const CreasePattern& sheet, Assignment assignment) {
                                         [&](const Crease& crease) { return crease.assignment == assignment; }));
 }
 
+// A goal that is not flat has no layers to be in each other's way.
+bool has_layers_or_needs_none(const CreasePattern& sheet, const Run& run) {
+  const LayerOrder layers = order_layers(sheet, run);
+  return layers.ending == Ending::Found || !layers.flat_goal;
+}
+
+// The order of the layers as FOLD has it, if there is one that stands the check.
+void write_layers(FoldFile& file, Session& session) {
+  const LayerOrder layers = order_layers(file.net.sheet, session.run());
+  session.report()["layers"] = name(layers.ending);
+  if (layers.ending != Ending::Found)
+    return session.say("layers: " + (layers.why.empty() ? std::string("the search was cut short") : layers.why));
+  const FlatLayersVerdict verdict = check_flat_layers(file.net.sheet, layers.orders);
+  session.report()["layers_verified"] = verdict.valid;
+  if (!verdict.valid) return session.say(fmt::format("layers: an order was found but not verified: {}", verdict.why));
+  set_face_orders(file, layers.orders);
+  session.say(fmt::format("layers: an order of {} pairs of panels that lie on each other, verified at {} places",
+                          layers.orders.size(), verdict.places));
+}
+
 int assign_file(const AssignArgs& args, Session& session) {
   const std::vector<std::string> outputs = fold_outputs(session);
   FoldFile file = read_sheet(args.file, session, args.drawing);
   if (args.afresh) forget_letters(file.net.sheet);
-  const AssignResult found = assign_creases(file.net.sheet, args.options, session.run());
+  AssignOptions options = args.options;
+  if (file.net.sheet.num_faces() <= kMostLayered)
+    options.suits = [&](const CreasePattern& sheet) { return has_layers_or_needs_none(sheet, session.run()); };
+  const AssignResult found = assign_creases(file.net.sheet, options, session.run());
   session.report()["ending"] = name(found.ending);
   session.report()["assigned"] = found.assigned;
   if (found.ending != Ending::Found) {
@@ -52,7 +78,11 @@ int assign_file(const AssignArgs& args, Session& session) {
   session.report()["valleys"] = valleys;
   session.say(fmt::format("{} crease{} assigned: {} mountain, {} valley in all; every vertex folds flat by itself",
                           found.assigned, found.assigned == 1 ? "" : "s", mountains, valleys));
+  if (!found.suits)
+    session.say(fmt::format("none of the choices tried, at most {}, has an order of its layers; this is the first",
+                            options.max_refused + 1));
   set_sheet(file, found.sheet);
+  write_layers(file, session);
   file.report = session.provenance().dump();
   for (const std::string& path : outputs) session.write(path, write_fold(file));
   return kDone;

@@ -61,7 +61,7 @@ std::string motion_text(const CraftResult& result) {
 }
 
 void print_pieces(const Session& session, const Mesh& mesh, const Kit& kit) {
-  const std::vector<int> step = assembly_steps(mesh, kit.parts);
+  const std::vector<int> step = assembly_steps(mesh, kit.parts, kit.joints);
   for (int i = 0; i < kit.parts.num_parts(); ++i) {
     const ProvenPart& piece = kit.part[i];
     const std::string motion =
@@ -150,6 +150,8 @@ int write_result(const CraftArgs& args, const Mesh& mesh, const std::string& fol
   if (!args.shells && result.drawn) warn_of_small_edges(session, result);
   for (const Defect& defect : result.verdict.defects) session.warn(defect.message);
   for (const Defect& defect : result.joint_defects) session.warn(defect.message);
+  if (result.kit)
+    for (const std::string& note : result.kit->notes) session.warn(note);
   for (const std::string& problem : result.layout_verdict.problems) session.warn(problem);
   if (!result.sound()) return kInternal;
   return Session::exit_code(result.ending);

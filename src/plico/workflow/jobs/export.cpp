@@ -10,6 +10,7 @@
 
 #include "plico/base/error.h"
 #include "plico/base/units.h"
+#include "plico/fold/plain_hinges.h"
 #include "plico/io/mesh/mesh_file.h"
 #include "plico/io/motion/angle_plot.h"
 #include "plico/io/motion/csv.h"
@@ -250,18 +251,27 @@ std::string page(const LoadedMotion& motion, Session& session) {
   return viewer_page(input);
 }
 
+// Joints of files that know of one axis each.
+LoadedMotion with_plain_hinges(LoadedMotion motion) {
+  motion.linkage = plain_hinged(motion.linkage);
+  motion.path = plain_path(motion.path);
+  return motion;
+}
+
+std::string with_joints(std::string_view kind, const LoadedMotion& motion, const ExportArgs& args, Session& session) {
+  if (kind == "glb") return write_glb(motion.linkage, motion.path, {.seconds = args.seconds});
+  const RobotOptions options = robot_options(motion, args, session);
+  return robot_file(kind == "urdf" ? write_urdf(motion.linkage, motion.path, options)
+                                   : write_mjcf(motion.linkage, motion.path, options),
+                    session);
+}
+
 std::string bytes_for(const std::string& path, const LoadedMotion& motion, const ExportArgs& args, Session& session) {
   const std::string kind = extension(path);
   if (kind == "csv" || path.ends_with(".angles.svg")) require_within_limits(motion.linkage, motion.path);
   if (path.ends_with(".angles.svg")) return write_angle_plot(motion.path, {.title = motion.title});
-  if (motion.chain && (kind == "glb" || kind == "urdf" || kind == "xml" || kind == "mjcf"))
-    throw InvalidOption(fmt::format("{} would hold hinges with one axis; those of a thick chain have three", path),
-                        "export to .html, .png or .csv");
-  if (kind == "glb") return write_glb(motion.linkage, motion.path, {.seconds = args.seconds});
-  if (kind == "urdf")
-    return robot_file(write_urdf(motion.linkage, motion.path, robot_options(motion, args, session)), session);
-  if (kind == "xml" || kind == "mjcf")
-    return robot_file(write_mjcf(motion.linkage, motion.path, robot_options(motion, args, session)), session);
+  if (kind == "glb" || kind == "urdf" || kind == "xml" || kind == "mjcf")
+    return with_joints(kind, has_thick_hinges(motion.linkage) ? with_plain_hinges(motion) : motion, args, session);
   if (kind == "csv") return write_trajectory_csv(motion.path);
   if (kind == "png") return picture(motion, args);
   if (kind == "gif") return film(motion, args, session.run());

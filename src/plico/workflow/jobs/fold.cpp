@@ -14,9 +14,9 @@
 #include "plico/workflow/jobs/motion_report.h"
 #include "plico/workflow/jobs/read_sheet.h"
 #include "plico/workflow/jobs/session.h"
-#include "plico/workflow/plan_drawn.h"
 #include "plico/workflow/plan_origami.h"
 #include "plico/workflow/plan_pieces.h"
+#include "plico/workflow/plan_sheets.h"
 
 namespace plico::jobs {
 namespace {
@@ -73,7 +73,7 @@ MotionOutcome plan(const FoldFile& file, const Linkage& linkage, const FoldArgs&
     if (!args.reuse.empty()) return reuse(linkage, options, args.reuse, session);
     const bool as_drawn = args.grouped || !args.through.empty();  // both speak of the creases of this very sheet
     return as_drawn ? plan_origami(file.net.sheet, options, session.run())
-                    : plan_drawn(file.net.sheet, options, session.run());
+                    : plan_sheets(file.net.sheet, options, session.run());
   }
   if (args.grouped || !args.reuse.empty() || !args.through.empty())
     throw InvalidOption("--grouped, --reuse and --through are for crease patterns with loops; this sheet has none");

@@ -9,16 +9,13 @@
 #include <optional>
 
 #include "plico/base/error.h"
-#include "plico/base/version.h"
 #include "plico/fabricate/fabricate.h"
 #include "plico/io/page/drawing.h"
-#include "plico/io/page/dxf.h"
-#include "plico/io/page/pdf.h"
-#include "plico/io/page/svg.h"
 #include "plico/io/pattern/fold.h"
 #include "plico/io/text/file.h"
 #include "plico/verify/page_layout.h"
 #include "plico/workflow/jobs/jobs.h"
+#include "plico/workflow/jobs/page_files.h"
 #include "plico/workflow/jobs/print_options.h"
 #include "plico/workflow/jobs/read_sheet.h"
 #include "plico/workflow/jobs/session.h"
@@ -52,28 +49,10 @@ FoldedShape shape_of(FoldFile& file, const std::optional<PartsClaim>& parts, con
   return shape;
 }
 
-// "bunny.svg" for the only page, "bunny-1.svg", "bunny-2.svg", ... for several.
-std::string page_path(const std::string& path, std::size_t page, std::size_t num_pages) {
-  if (num_pages == 1) return path;
-  const std::size_t dot = path.size() - extension(path).size() - 1;
-  return fmt::format("{}-{}{}", path.substr(0, dot), page + 1, path.substr(dot));
-}
-
 void require_kind(const std::string& path) {
   const std::string kind = extension(path);
   if (path != "-" && kind != "pdf" && kind != "svg" && kind != "dxf")
     throw InvalidOption(fmt::format("'{}' is no kind of page that print writes", path), "use .pdf, .svg or .dxf");
-}
-
-void write_pages(Session& session, const std::string& path, const std::vector<Drawing>& pages,
-                 const std::string& title) {
-  const std::string kind = extension(path);
-  if (path == "-" || kind == "pdf") {
-    session.write(path, write_pdf(pages, title, fmt::format("plico {}", plico::version())));
-    return;
-  }
-  for (std::size_t i = 0; i < pages.size(); ++i)
-    session.write(page_path(path, i, pages.size()), kind == "svg" ? write_svg(pages[i]) : write_dxf(pages[i]));
 }
 
 std::string stem(const std::string& path) {

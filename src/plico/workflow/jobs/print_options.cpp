@@ -102,6 +102,10 @@ void add_print_options(Job& job, PrintArgs& args) {
               args.perforation)
       .choice("--side", "of the paper that is printed; both: cuts and folds outside, ids and marks inside, in register",
               args.side, {"outside", "inside", "both"})
+      .choice("--joint",
+              "where facets of two pieces meet: marks to glue them, marks with a hole for a paper rivet so that they "
+              "turn, or nothing",
+              args.joint, {"glue", "rivet", "none"})
       .flag("--shadow-tabs", "draw where each tab lands on the panel it is glued under", args.shadow_tabs)
       .flag("--no-ruler", "leave out the ruler", args.no_ruler)
       .flag("--no-legend", "leave out the legend", args.no_legend)
@@ -129,6 +133,7 @@ LayoutOptions layout_options(const PrintArgs& args) {
   options.labels.size_pt = args.label_size;
   options.labels.smallest_pt = std::min(4.0, args.label_size);
   options.marks = mark_options(args.marks);
+  options.joint = args.joint == "rivet" ? JointKind::Rivet : args.joint == "none" ? JointKind::None : JointKind::Glue;
   options.split = args.split;
   options.flat = args.flat;
   return options;
@@ -190,6 +195,9 @@ std::string layout_text(const LayoutReport& r) {
   text += fmt::format("edge ids: {} at their edge, {} beside it, {} left out\n", r.labels.placed, r.labels.leaders,
                       r.labels.omitted);
   if (r.folds_cut > 0) text += fmt::format("{} folds became seams so that the parts fit\n", r.folds_cut);
+  if (r.joints_without_hole > 0)
+    text +=
+        fmt::format("{} facets are too small for the hole of a rivet, {:g} mm wide\n", r.joints_without_hole, kRivet);
   if (r.pages_without_ruler > 0) text += fmt::format("{} pages have no room for the ruler\n", r.pages_without_ruler);
   return text;
 }

@@ -49,7 +49,8 @@ Mesh read_mesh(const std::string& path, const std::string& repair, Session& sess
 
 void warn_of_many_faces(const Mesh& mesh, const std::string& path, Session& session) {
   if (mesh.num_faces() < kFarTooMany) return;
-  const double seconds = 2 * std::pow(mesh.num_faces() / double(kFarTooMany), 2.5);
+  const double times = mesh.num_faces() / double(kFarTooMany);
+  const double seconds = 2 * times * times * std::sqrt(times);
   session.warn(fmt::format(
       "{} faces are far more than hands can fold, and a net of them takes about {}; try plico craft {} --faces 300",
       mesh.num_faces(), seconds < 100 ? fmt::format("{:.0f} s", seconds) : fmt::format("{:.0f} min", seconds / 60),

@@ -5,8 +5,10 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "plico/base/error.h"
+#include "plico/fabricate/fabricate.h"
 #include "plico/io/mesh/face_groups.h"
 #include "plico/mesh/measures.h"
 #include "plico/segment/convexity.h"
@@ -26,7 +28,8 @@ using nlohmann::json;
 
 struct SegmentArgs {
   std::string mesh, by = "foldability", labels, motions, motion = "linear", repair = "safe", parts = "auto",
-                    method = "necks", names, symmetric = "off";
+                    method = "necks", names, symmetric = "off", page;
+  SizeOptions size;
   std::vector<std::string> keep, apart;
   SegmentOptions options;
   ConvexityOptions convexity;
@@ -45,8 +48,19 @@ void check_usage(const SegmentArgs& args) {
   if (args.by != "labels" && !args.labels.empty()) throw InvalidOption("--labels needs --by labels");
   if (args.by != "foldability" && !(args.keep.empty() && args.apart.empty()))
     throw InvalidOption("--keep and --apart need --by foldability");
+  if (args.page.empty() == args.size.is_given())
+    throw InvalidOption("--page and --longest need each other: how large is the model, and what must a part fit?");
+  if (!args.page.empty() && args.by != "foldability") throw InvalidOption("--page needs --by foldability");
   if (args.mesh == "-" && (args.names == "-" || args.labels == "-" || args.by == "groups"))
     throw InvalidOption("only one of two files, read once, can be standard input");
+}
+
+// A page asks for parts that fit it, less the margin and tabs as plico print has them by default.
+std::optional<PageFit> page_fit(const SegmentArgs& args, const Mesh& mesh) {
+  if (args.page.empty()) return std::nullopt;
+  LayoutOptions layout;
+  layout.page.size = paper_size(args.page);
+  return PageFit{room_without_tabs(layout), scale_of(folded_shape(mesh), args.size)};
 }
 
 FaceWishes face_wishes(const SegmentArgs& args) {
@@ -160,6 +174,8 @@ int segment_file(SegmentArgs& args, Session& session) {
   const std::vector<std::string> outputs = fold_outputs(session);
   if (!args.motions.empty()) session.make_folder(args.motions);
   const Mesh mesh = read_mesh(args.mesh, args.repair, session);
+  args.options.page = page_fit(args, mesh);
+  check(args.options);
   Kit result = args.by == "foldability"
                    ? segment_mesh(mesh, args.options, session.run())
                    : make_kit(mesh, parts_of(mesh, args, session), args.options.prove, session.run());
@@ -204,6 +220,9 @@ Job segment_job() {
               args->convexity.concavity, above(0))
       .choice("--symmetric", "left and right alike, on meshes with a mirror plane; auto: where there is one",
               args->symmetric, {"auto", "on", "off"})
+      .option("--page", "SIZE", "cut on until each part fits a page, as A4, with margins of 10 mm and tabs of 5 mm",
+              args->page)
+      .length("--longest", "for --page: longest side of the finished model", args->size.longest)
       .option("--keep", "FACES", "these stay in one part, such as 3,17-20", args->keep)
       .option("--apart", "FACES", "no two of these are in one part", args->apart)
       .option("--names", "FILE", "lines of a face and a name: the part with this face is called so", args->names)

@@ -8,10 +8,13 @@
 #include <nlohmann/json.hpp>
 
 #include "plico/base/error.h"
+#include "plico/fabricate/runs.h"
 #include "plico/io/mesh/mesh_file.h"
 #include "plico/io/mesh/stl.h"
+#include "plico/verify/page_layout.h"
 #include "plico/workflow/jobs/jobs.h"
 #include "plico/workflow/jobs/motion_report.h"
+#include "plico/workflow/jobs/page_files.h"
 #include "plico/workflow/jobs/session.h"
 #include "plico/workflow/jobs/voxel_options.h"
 #include "plico/workflow/stack_motion.h"
@@ -21,8 +24,8 @@ namespace plico::jobs {
 namespace {
 
 struct StackArgs : VoxelArgs {
-  std::string base = "auto", box, motion;
-  double thickness = 0.1;
+  std::string base = "auto", box, motion, page = "A4";
+  double thickness = 0.1, side_mm = 25;
 };
 
 // "6x6"; "auto" leaves both 0.
@@ -73,9 +76,13 @@ int choose_base_in_box(const StackArgs& args, const VoxelMesh& voxels, StackMesh
 }
 
 void check_stack_output(const std::string& path) {
-  for (const char* ending : {".fold", ".csv", ".stl", ".html", ".png"})
+  for (const char* ending : {".fold", ".csv", ".stl", ".html", ".png", ".svg", ".dxf", ".pdf"})
     if (path == "-" || path.ends_with(ending)) return;
-  throw InvalidOption(fmt::format("{} does not end in .fold, .csv, .stl, .html or .png", path));
+  throw InvalidOption(fmt::format("{} does not end in .fold, .csv, .stl, .html, .png, .svg, .dxf or .pdf", path));
+}
+
+bool is_sheet(const std::string& path) {
+  return path.ends_with(".svg") || path.ends_with(".dxf") || path.ends_with(".pdf");
 }
 
 void report_stack(Session& session, const VoxelMesh& voxels, const StackedChain& chain) {
@@ -107,6 +114,35 @@ void report_stack(Session& session, const VoxelMesh& voxels, const StackedChain&
   for (const Defect& defect : verdict.defects) session.warn(fmt::format("{}: {}", defect.code, defect.message));
 }
 
+std::string stem(const std::string& path) {
+  const std::size_t first = path.find_last_of('/') + 1;
+  return path.substr(first, path.rfind('.') - first);
+}
+
+// The runs of the chain, judged before they are drawn; false when they are not sound.
+bool lay_out_sheets(Session& session, const StackArgs& args, const StackedChain& chain, PageLayout& layout) {
+  RunOptions options;
+  options.side = args.side_mm;
+  options.trim = chain.claim.trim / chain.verdict.side * args.side_mm;
+  options.page.size = paper_size(args.page);
+  layout = lay_out_runs(chain.claim.sheet, options);
+  session.report()["sheets"] = {
+      {"runs", layout.parts.size()}, {"pages", layout.pages.size()}, {"side_mm", args.side_mm}};
+  session.print(fmt::format("sheets     {} runs on {} pages, squares of {:g} mm\n", layout.parts.size(),
+                            layout.pages.size(), args.side_mm));
+  const LayoutVerdict verdict = verify_layout(layout);
+  for (const std::string& problem : verdict.problems) session.warn(problem);
+  return verdict.sound();
+}
+
+void write_sheets(Session& session, const std::string& path, const PageLayout& layout) {
+  DrawOptions how;
+  how.title = stem(path);
+  how.flat_creases = true;
+  how.ruler = false;
+  write_pages(session, path, draw(layout, how), how.title);
+}
+
 void write_chain(Session& session, const std::string& path, const VoxelMesh& voxels, const StackedChain& chain,
                  const std::optional<StackMotion>& motion) {
   if (path.ends_with(".stl")) return session.write(path, write_stl(stack_solid(chain.claim)));
@@ -114,7 +150,7 @@ void write_chain(Session& session, const std::string& path, const VoxelMesh& vox
   if (path.ends_with(".png")) return session.write(path, stack_picture(chain.claim));
   if (path.ends_with(".html")) {
     ViewerInput page = unpacking_page(*motion);
-    page.title = path.substr(path.find_last_of('/') + 1, path.rfind('.') - path.find_last_of('/') - 1);
+    page.title = stem(path);
     page.report = session.provenance().dump();
     return session.write(path, viewer_page(page));
   }
@@ -160,6 +196,8 @@ int stack_file(StackArgs& args, Session& session) {
   StackMeshOptions options{.seed = session.seed(), .thickness = args.thickness};
   read_base(args.base, options);
   require(args.thickness > 0 && args.thickness < 0.5, "thickness", args.thickness, "above 0 and below 0.5 voxel sides");
+  require(args.side_mm > 0, "side", args.side_mm, "above 0");
+  paper_size(args.page);  // refuses a size that there is not before anything is searched
   const VoxelMesh voxels = read_voxels(args, session);
   const int most_layers = args.box.empty() ? voxels.shell.size() : choose_base_in_box(args, voxels, options);
   const JudgedCycle cycle = judged_cycle(voxels, {.seed = session.seed()}, session.run());
@@ -171,7 +209,13 @@ int stack_file(StackArgs& args, Session& session) {
   report_stack(session, voxels, chain);
   if (motion) report_motion(session, *motion, args.motion);
   if (!chain.verdict.valid() || (motion && motion->verdict.verdict == PathVerdict::Collides)) return kInternal;
-  for (const std::string& path : outputs) write_chain(session, path, voxels, chain, motion);
+  PageLayout sheets;
+  if (std::ranges::any_of(outputs, is_sheet) && !lay_out_sheets(session, args, chain, sheets)) return kInternal;
+  for (const std::string& path : outputs)
+    if (is_sheet(path))
+      write_sheets(session, path, sheets);
+    else
+      write_chain(session, path, voxels, chain, motion);
   if (motion && motion->ending != Ending::Found) return Session::exit_code(motion->ending);
   if (chain.verdict.height > most_layers) {
     session.warn(fmt::format("the box has room for {} layers; no stack as low as that was found", most_layers));
@@ -193,6 +237,8 @@ Job stack_job() {
                "what each panel is and where it lies; every figure")
       .example("plico stack bird.obj --cells 10 --thickness 0.02 -o bird.fold -o motion.html",
                "and its proven motion from the stack to the shape, as a page")
+      .example("plico stack bird.obj --cells 10 --side 30mm -o bird.pdf",
+               "the chain as sheets to cut, with numbered panels and joints")
       .option("--thickness", "T", "of the panels, in voxel sides", args->thickness, {0, 0.5, false, false})
       .choice(
           "--motion",
@@ -201,6 +247,8 @@ Job stack_job() {
       .option("--base", "WxD", "of the stack, in panels; auto: the base with the least W + D + H", args->base)
       .option("--box", "WxDxH", "the stack must fit into it, in the mesh's unit; its base is the best that does",
               args->box)
+      .length("--side", "of a square on sheets (.svg, .dxf, .pdf)", args->side_mm)
+      .option("--page", "SIZE", "of the sheets: A4, Letter, ..., or WIDTHxHEIGHT", args->page)
       .action([args](Session& session) { return stack_file(*args, session); });
   add_voxel_options(job, *args);
   return job;

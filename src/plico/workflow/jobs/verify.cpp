@@ -7,9 +7,11 @@
 
 #include "plico/base/error.h"
 #include "plico/io/pattern/fold.h"
+#include "plico/verify/flat_layers.h"
 #include "plico/verify/net.h"
 #include "plico/verify/parts.h"
 #include "plico/verify/path.h"
+#include "plico/workflow/jobs/face_orders.h"
 #include "plico/workflow/jobs/jobs.h"
 #include "plico/workflow/jobs/motion_report.h"
 #include "plico/workflow/jobs/read_mesh.h"
@@ -169,7 +171,7 @@ void report_parts(Session& session, const PartsVerdict& verdict) {
   session.print(fmt::format("parts      {}, {} with a net in one piece; seams of {}, {:.6g} long\n", verdict.parts,
                             verdict.in_one_piece, count(verdict.seam_edges, "edge"), verdict.seam_length));
   if (verdict.joints > 0)
-    session.print(fmt::format("joints     {}, glued face to face\n", count(verdict.joints, "pair of facets")));
+    session.print(fmt::format("joints     {} of facets, glued face to face\n", count(verdict.joints, "pair")));
   session.print(lines_of(verdict.defects));
   session.print(fmt::format("together   {}\n", verdict.valid() ? "yes" : verdict.net.complete ? "no" : "not finished"));
 }
@@ -199,20 +201,37 @@ int verify_parts_file(const FoldFile& file, const PartsClaim& claim, const std::
 }
 
 // A crease pattern claims to be a flat sheet: no two of its panels overlap.
+// Orders of layers in the file are a claim as well, when its goal is flat. True when there is nothing wrong with them.
+bool layers_hold(const FoldFile& file, Session& session) {
+  const std::vector<FaceOrder> orders = face_orders(file);
+  if (orders.empty()) return true;
+  const FlatLayersVerdict verdict = check_flat_layers(file.net.sheet, orders);
+  const bool holds = verdict.valid || !verdict.flat_goal;
+  session.report()["layers"] = {{"pairs", orders.size()}, {"valid", verdict.valid}, {"why", verdict.why}};
+  if (!verdict.flat_goal)
+    session.print("unchecked  faceOrders: the goal is not flat\n");
+  else if (verdict.valid)
+    session.print(fmt::format("layers     {} in order, looked at in {} places\n",
+                              count(static_cast<long>(orders.size()), "pair"), verdict.places));
+  else
+    session.print(fmt::format("layers     {}: panels {}\n", verdict.why, fmt::join(verdict.panels, ", ")));
+  return holds;
+}
+
 int verify_sheet_file(const FoldFile& file, Session& session) {
   const Run run = session.run();
   const CreasePattern& sheet = file.net.sheet;
   const Overlaps overlaps = find_overlaps(sheet, {}, run);
-  const bool valid = overlaps.complete && overlaps.count == 0;
   json& report = session.report();
   report["kind"] = "crease-pattern";
   report["panels"] = sheet.num_faces();
   report["parts"] = file.net.num_parts();
   report["overlaps"] = to_json(overlaps);
-  report["valid"] = valid;
   session.print(
       fmt::format("sheet      {}, {}\n", count(sheet.num_faces(), "panel"), count(file.net.num_parts(), "part")));
   session.print(fmt::format("overlap    {}\n", count(overlaps.count, "pair")));
+  const bool valid = overlaps.complete && overlaps.count == 0 && layers_hold(file, session);
+  report["valid"] = valid;
   session.print(fmt::format("verified   {}\n", !overlaps.complete ? "not finished" : valid ? "yes" : "no"));
   if (!overlaps.complete && run.over()) return Session::exit_code(run.ending());
   return valid ? kDone : kNo;

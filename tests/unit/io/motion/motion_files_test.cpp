@@ -2,11 +2,16 @@
 #include <gmock/gmock.h>
 
 #include <Eigen/Eigenvalues>
+#include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <pugixml.hpp>
 
 #include "linkage_samples.h"
 #include "plico/base/error.h"
+#include "plico/fold/plain_hinges.h"
 #include "plico/io/motion/csv.h"
 #include "plico/io/motion/gltf.h"
 #include "plico/io/motion/mjcf.h"
@@ -125,6 +130,88 @@ TEST(Glb, ShowsTheMotionOfANet) {
   const Linkage linkage = make_linkage(random_triangles(30, 3, rng));
   expect_same_motion(linkage, linear_path(linkage));
   expect_same_motion(linkage, uniform_path(linkage));
+}
+
+// A chain of five thick squares, and a motion of it through random angles up to 180 degrees.
+struct ThickChain {
+  Linkage linkage;
+  FoldingPath path;
+};
+ThickChain thick_chain() {
+  ThickChain chain;
+  chain.linkage = thick_hinged(make_linkage(square_strip({1, -1, 1, -1}), {}, 0), 0.1, 0.1);
+  Rng rng(5);
+  for (int k = 0; k <= 4; ++k) {
+    Configuration config(chain.linkage.num_hinges());
+    for (double& angle : config) angle = (2 * rng.uniform() - 1) * kPi;
+    chain.path.waypoints.push_back({k / 4.0, config});
+  }
+  return chain;
+}
+
+TEST(Glb, AThickHingeIsThreePlainOnes) {
+  const ThickChain chain = thick_chain();
+  const GlbPlayer player(write_glb(plain_hinged(chain.linkage), plain_path(chain.path), {.metres_per_unit = 1}));
+  for (double time : {0.0, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0}) {
+    const auto shown = player.points(4 * time);
+    const auto poses = folding_map(chain.linkage, chain.path.at(time));
+    for (int p = 0; p < chain.linkage.num_panels(); ++p)
+      for (std::size_t i = 0; i < 4; ++i) {
+        const Vec3 corner = poses[p] * Vec3(chain.linkage.panels[p][i] + 0.05 * Vec3::UnitZ());
+        const auto is_corner = [&](const Vec3& at) {
+          return (at - Vec3(corner.x(), corner.z(), -corner.y())).norm() < 2e-5;
+        };
+        EXPECT_TRUE(std::ranges::any_of(shown[p], is_corner)) << time << ", corner " << i << " of panel " << p;
+      }
+  }
+}
+
+// Where the links of a URDF are at the given joint angles, read from its text alone.
+std::map<std::string, Pose> link_poses(const std::string& urdf, const Configuration& angles) {
+  pugi::xml_document document;
+  EXPECT_TRUE(document.load_string(urdf.c_str()));
+  const auto vector = [](const char* text) {
+    Vec3 v;
+    EXPECT_EQ(std::sscanf(text, "%lf %lf %lf", &v.x(), &v.y(), &v.z()), 3);
+    return v;
+  };
+  std::map<std::string, Pose> poses{{"panel_0", Pose::Identity()}};
+  const pugi::xml_node robot = document.child("robot");
+  for (bool more = true; more;) {
+    more = false;
+    for (const pugi::xml_node& joint : robot.children("joint")) {
+      const std::string parent = joint.child("parent").attribute("link").value();
+      const std::string child = joint.child("child").attribute("link").value();
+      if (!poses.contains(parent) || poses.contains(child)) continue;
+      const int hinge = std::atoi(joint.attribute("name").value() + std::strlen("hinge_"));
+      EXPECT_GE(angles[hinge], joint.child("limit").attribute("lower").as_double() - 1e-6);
+      EXPECT_LE(angles[hinge], joint.child("limit").attribute("upper").as_double() + 1e-6);
+      Pose step = Pose::Identity();
+      step.translate(vector(joint.child("origin").attribute("xyz").value()));
+      step.rotate(Eigen::AngleAxisd(angles[hinge], vector(joint.child("axis").attribute("xyz").value())));
+      poses[child] = poses[parent] * step;
+      more = true;
+    }
+  }
+  return poses;
+}
+
+TEST(Urdf, PanelsOfAThickChainAreWhereTheFoldingMapHasThem) {
+  const ThickChain chain = thick_chain();
+  const Linkage plain = plain_hinged(chain.linkage);
+  const std::string urdf = write_urdf(plain, plain_path(chain.path), {.metres_per_unit = 1}).text;
+  for (double time = 0; time <= 1; time += 0.0625) {
+    const Configuration config = chain.path.at(time);
+    const std::map<std::string, Pose> links = link_poses(urdf, plain_angles(config));
+    const std::vector<Pose> poses = folding_map(chain.linkage, config);
+    for (int p = 1; p < chain.linkage.num_panels(); ++p) {
+      // A link's frame is where its joint is in the flat state.
+      const Vec3 origin = plain.hinges[plain.parent_hinge[p]].from;
+      const Pose& link = links.at("panel_" + std::to_string(p));
+      EXPECT_LT((link.linear() - poses[p].linear()).norm(), 1e-5) << p;
+      EXPECT_LT((link.translation() - poses[p] * origin).norm(), 1e-5) << p;
+    }
+  }
 }
 
 TEST(Glb, TurnsByHalfATurnAndByMoreTheRightWay) {

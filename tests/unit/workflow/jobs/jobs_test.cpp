@@ -35,7 +35,7 @@ TEST(RunJob, MakesTheFilesAndTheReportWithoutATerminal) {
   EXPECT_EQ(report["verified"], true);
   EXPECT_EQ(report["outputs"], json::array({"t.fold"}));
   EXPECT_EQ(report["command_line"], "plico unfold t.off -o t.fold --seed 1");
-  EXPECT_THAT(net.messages.front().text, HasSubstr("4 faces: 1 part"));
+  EXPECT_THAT(net.messages, testing::Contains(testing::Field(&Message::text, HasSubstr("4 faces: 1 part"))));
   const JobResult pages = run_job("print", {{"net", "t.fold"}, {"-o", "t.svg"}, {"--height", "5cm"}}, files);
   EXPECT_EQ(pages.exit_code, kDone);
   EXPECT_THAT(files.files["t.svg"], HasSubstr("<svg"));

@@ -1,0 +1,32 @@
+#include "plico/workflow/jobs/page_files.h"
+
+#include <fmt/format.h>
+
+#include "plico/base/version.h"
+#include "plico/io/page/dxf.h"
+#include "plico/io/page/pdf.h"
+#include "plico/io/page/svg.h"
+#include "plico/io/text/file.h"
+namespace plico::jobs {
+namespace {
+
+std::string page_path(const std::string& path, std::size_t page, std::size_t num_pages) {
+  if (num_pages == 1) return path;
+  const std::size_t dot = path.size() - extension(path).size() - 1;
+  return fmt::format("{}-{}{}", path.substr(0, dot), page + 1, path.substr(dot));
+}
+
+}  // namespace
+
+void write_pages(Session& session, const std::string& path, const std::vector<Drawing>& pages,
+                 const std::string& title) {
+  const std::string kind = extension(path);
+  if (path == "-" || kind == "pdf") {
+    session.write(path, write_pdf(pages, title, fmt::format("plico {}", plico::version())));
+    return;
+  }
+  for (std::size_t i = 0; i < pages.size(); ++i)
+    session.write(page_path(path, i, pages.size()), kind == "svg" ? write_svg(pages[i]) : write_dxf(pages[i]));
+}
+
+}  // namespace plico::jobs
