@@ -8,6 +8,7 @@
 #include "plico/base/libm.h"
 #include "plico/base/rng.h"
 #include "plico/unfold/dual_tree.h"
+#include "plico/unfold/overlap.h"
 
 namespace plico {
 namespace {
@@ -180,6 +181,12 @@ void in_range(const char* field, T value, T least) {
   if (!(value >= least)) throw InvalidOption(fmt::format("{} = {} must be at least {}", field, value, least));
 }
 
+// Where the time was over before the first step: counting collisions takes a second on large meshes.
+FoldableResult not_begun(const FlatFaces& faces, const FoldForest& start, const Run& run) {
+  const auto overlaps = overlapping_pairs(faces, lay_panels(faces, start)).size();
+  return {run.ending(), start, static_cast<int>(overlaps), 0, 0};
+}
+
 }  // namespace
 
 void check(const FoldableOptions& options) {
@@ -199,8 +206,13 @@ FoldableResult find_foldable_net(const Mesh& mesh, const std::function<FoldFores
   const FlatFaces faces(mesh);
   const Rng rng(options.seed);
   std::vector<std::unique_ptr<Lane>> lanes(options.lanes);
-  parallel_for(run, options.lanes,
-               [&](int i) { lanes[i] = std::make_unique<Lane>(faces, start(i), new_cost(), options, rng.stream(i)); });
+  std::vector<FoldForest> starts(options.lanes);
+  parallel_for(run, options.lanes, [&](int i) {
+    starts[i] = start(i);
+    if (!run.over()) lanes[i] = std::make_unique<Lane>(faces, starts[i], new_cost(), options, rng.stream(i));
+  });
+  if (std::any_of(lanes.begin(), lanes.end(), [](const auto& lane) { return !lane; }))
+    return not_begun(faces, starts[0], run);
   const auto better = [](const auto& a, const auto& b) {
     return std::pair(!a->found(), a->best_rank()) < std::pair(!b->found(), b->best_rank());
   };

@@ -49,7 +49,7 @@ struct FoldableResult {
   Ending ending = Ending::Exhausted;
   FoldForest tree;      // Found: a net that folds. Otherwise the net with fewest collisions; if no net was seen, a tree
   long overlaps = 0;    // of the flat panels of `tree`
-  long collisions = 0;  // cost() of `tree`
+  long collisions = 0;  // cost() of `tree`; 0 too when the time was over before any was counted
   long steps = 0;       // branches tried, by all lanes
 };
 

@@ -108,8 +108,9 @@ std::string line_about(const UnfoldArgs& args, const Mesh& mesh, const NetAndMot
       found.net.proven_impossible
           ? fmt::format("no net of this mesh folds by a {} motion: every spanning tree overlaps or collides",
                         args.foldable)
-          : fmt::format("no net found whose {} motion is free; the best has {} collisions", args.foldable,
-                        found.net.collisions);
+          : fmt::format("no net found whose {} motion is free; {}", args.foldable,
+                        found.net.collisions > 0 ? fmt::format("the best has {} collisions", found.net.collisions)
+                                                 : "no collision was counted yet");
   if (found.motion) text += fmt::format("; {} motion {}", name(found.motion->method), motion_line(found.motion->proof));
   return text;
 }
