@@ -6,7 +6,7 @@ const kHidden = new Set(['output', 'force', 'json', 'quiet', 'verbose', 'progres
 const kRare = new Set(['seed', 'time-limit']); // of every job
 const kShownAtOnce = 6;
 
-const kMeshKinds = ['obj', 'off', 'stl', 'ply'], kSheetKinds = ['fold', 'cp', 'opx', 'ori', 'svg', 'json'];
+const kMeshKinds = ['obj', 'off', 'stl', 'ply', 'glb', 'gltf'], kSheetKinds = ['fold', 'cp', 'opx', 'ori', 'svg', 'json'];
 const kKindsOfInputs: Record<string, string[]> = {
   mesh: kMeshKinds, shape: kMeshKinds, net: kSheetKinds, pattern: kSheetKinds, file: kSheetKinds,
 };
