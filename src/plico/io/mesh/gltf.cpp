@@ -83,7 +83,8 @@ class GltfReader {
     decode_data_uris();
     seen_.assign(array("nodes").size(), 0);
     if (array("nodes").empty())
-      for (std::size_t m = 0; m < array("meshes").size(); ++m) add_mesh(static_cast<int>(m), Eigen::Affine3d::Identity());
+      for (std::size_t m = 0; m < array("meshes").size(); ++m)
+        add_mesh(static_cast<int>(m), Eigen::Affine3d::Identity());
     for (const int node : roots()) visit(node, Eigen::Affine3d::Identity(), 0);
     return std::move(source_);
   }

@@ -79,11 +79,13 @@ TEST(ReadGltf, BuffersInTheTextAreBase64) {
 TEST(ReadGltf, ErrorsSayWhatIsWrong) {
   EXPECT_THAT(gltf_failure(glb(document(7), kSquare)), HasSubstr("accessor 0 reaches beyond its buffer"));
   EXPECT_THAT(gltf_failure(glb(document(6, "", R"(, "children": [0])"), kSquare)), HasSubstr("stands in two places"));
-  EXPECT_THAT(gltf_failure(glb(document(6, "", "", R"(, "extensionsRequired": ["KHR_draco_mesh_compression"])"), kSquare)),
-              HasSubstr("the file needs the extension KHR_draco_mesh_compression, which is not read here > export it"));
+  EXPECT_THAT(
+      gltf_failure(glb(document(6, "", "", R"(, "extensionsRequired": ["KHR_draco_mesh_compression"])"), kSquare)),
+      HasSubstr("the file needs the extension KHR_draco_mesh_compression, which is not read here > export it"));
   std::string other = document(6);
   other.replace(other.find("[{}]"), 4, R"([{"uri": "a.bin"}])");
-  EXPECT_THAT(gltf_failure(other), HasSubstr("its numbers are in another file, 'a.bin' > save it as one binary file, .glb"));
+  EXPECT_THAT(gltf_failure(other),
+              HasSubstr("its numbers are in another file, 'a.bin' > save it as one binary file, .glb"));
   EXPECT_THAT(gltf_failure(R"({"nodes": [3]})"), HasSubstr("read/gltf"));
   EXPECT_THAT(gltf_failure(glb(document(6), kSquare).substr(0, 40)), HasSubstr("read/truncated"));
 }
