@@ -43,8 +43,10 @@ double sampling_seconds(const Linkage& linkage, const FoldingPath& path) {
 void foldable_row(Table& table, const std::string& name, const Mesh& mesh, std::uint64_t seed) {
   Run run;
   run.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  FoldableNetOptions options;
+  options.seed = seed;
   FoldableNet found;
-  const double search = seconds([&] { found = find_foldable_net(mesh, {.seed = seed}, limited(run, kLimit)); });
+  const double search = seconds([&] { found = find_foldable_net(mesh, options, limited(run, kLimit)); });
   const Linkage linkage = linkage_of(lay_flat(mesh, found.tree));
   PathProof proof;
   const double proving = seconds([&] { proof = prove_path(linkage, found.path); });

@@ -157,7 +157,7 @@ class GltfReader {
     for (const int child : node.value("children", std::vector<int>{})) visit(child, here, depth + 1);
   }
 
-  std::vector<double> numbers(const json& node, const char* key, std::vector<double> otherwise) const {
+  std::vector<double> numbers(const json& node, const char* key, const std::vector<double>& otherwise) const {
     auto values = node.value(key, otherwise);
     if (values.size() != otherwise.size())
       fail(fmt::format("{} of a node has {} numbers, must have {}", key, values.size(), otherwise.size()));
