@@ -176,11 +176,6 @@ class Lane {
   bool found_ = false;
 };
 
-template <class T>
-void in_range(const char* field, T value, T least) {
-  if (!(value >= least)) throw InvalidOption(fmt::format("{} = {} must be at least {}", field, value, least));
-}
-
 // Where the time was over before the first step: counting collisions takes a second on large meshes.
 FoldableResult not_begun(const FlatFaces& faces, const FoldForest& start, const Run& run) {
   const auto overlaps = overlapping_pairs(faces, lay_panels(faces, start)).size();
@@ -190,18 +185,17 @@ FoldableResult not_begun(const FlatFaces& faces, const FoldForest& start, const 
 }  // namespace
 
 void check(const FoldableOptions& options) {
-  in_range("lanes", options.lanes, 1);
-  in_range("overlap_weight", options.overlap_weight, 1);
-  in_range("temperature", options.temperature, 1e-9);
-  if (!(options.nearby >= 0 && options.nearby <= 1))
-    throw InvalidOption(fmt::format("nearby = {} must be in [0, 1]", options.nearby));
-  in_range("steps_per_cooling", options.steps_per_cooling, 1);
-  in_range("max_steps", options.max_steps, 0L);
+  require(options.lanes >= 1, "lanes", options.lanes, "at least 1");
+  require(options.overlap_weight >= 1, "overlap-weight", options.overlap_weight, "at least 1");
+  require(options.temperature > 0, "temperature", options.temperature, "above 0");
+  require(options.nearby >= 0 && options.nearby <= 1, "nearby", options.nearby, "in [0, 1]");
+  require(options.steps_per_cooling >= 1, "steps-per-cooling", options.steps_per_cooling, "at least 1");
+  require(options.max_steps >= 0, "max-steps", options.max_steps, "at least 0");
 }
 
-FoldableResult find_foldable_net(const Mesh& mesh, const std::function<FoldForest(int lane)>& start,
-                                 const std::function<std::unique_ptr<MotionCost>()>& new_cost,
-                                 const FoldableOptions& options, const Run& run) {
+FoldableResult anneal_foldable_net(const Mesh& mesh, const std::function<FoldForest(int lane)>& start,
+                                   const std::function<std::unique_ptr<MotionCost>()>& new_cost,
+                                   const FoldableOptions& options, const Run& run) {
   check(options);
   const FlatFaces faces(mesh);
   const Rng rng(options.seed);

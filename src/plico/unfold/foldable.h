@@ -57,8 +57,8 @@ struct FoldableResult {
 // pair in conflict, cuts a fold edge on the tree path between them, or close to one of them where something may stand
 // in the way of both, and hangs the branch elsewhere; a worse tree is accepted as in simulated annealing, with the
 // bound drawn first, so that a bad hanging is dropped at its first few collisions.
-FoldableResult find_foldable_net(const Mesh& mesh, const std::function<FoldForest(int lane)>& start,
-                                 const std::function<std::unique_ptr<MotionCost>()>& new_cost,
-                                 const FoldableOptions& options = {}, const Run& run = {});
+FoldableResult anneal_foldable_net(const Mesh& mesh, const std::function<FoldForest(int lane)>& start,
+                                   const std::function<std::unique_ptr<MotionCost>()>& new_cost,
+                                   const FoldableOptions& options = {}, const Run& run = {});
 
 }  // namespace plico

@@ -200,7 +200,7 @@ FoldableNet find_foldable_net(const Mesh& mesh, const FoldableNetOptions& option
   };
   const auto new_cost = [&] { return std::make_unique<SampledCost>(mesh, kit, options, clearance); };
   const auto search = [&](long steps) {
-    return find_foldable_net(mesh, start, new_cost, {.seed = options.seed, .max_steps = steps}, run);
+    return anneal_foldable_net(mesh, start, new_cost, {.seed = options.seed, .max_steps = steps}, run);
   };
   const bool is_small = mesh.num_edges() <= kMostJoints;
   const long most = options.max_steps > 0 ? options.max_steps : steps_for(mesh);
