@@ -83,8 +83,7 @@ int assign_file(const AssignArgs& args, Session& session) {
                             options.max_refused + 1));
   set_sheet(file, found.sheet);
   write_layers(file, session);
-  file.report = session.provenance().dump();
-  for (const std::string& path : outputs) session.write(path, write_fold(file));
+  write_fold_files(file, outputs, session);
   return kDone;
 }
 

@@ -9,6 +9,7 @@
 #include "plico/io/text/file.h"
 #include "plico/verify/net.h"
 #include "plico/workflow/jobs/jobs.h"
+#include "plico/workflow/jobs/read_sheet.h"
 #include "plico/workflow/jobs/session.h"
 #include "plico/workflow/open_project.h"
 
@@ -34,9 +35,7 @@ void replay(Project& project, const EditArgs& args, Session& session) {
 
 void write_edited(Session& session, const std::string& path, const Project& project, const Unfolding& net) {
   if (extension(path) == "plico") return session.write(path, write_project(project));
-  FoldFile file = fold_file(project.mesh, net);
-  file.report = session.provenance().dump();
-  session.write(path, write_fold(file));
+  write_fold_files(fold_file(project.mesh, net), {path}, session);
 }
 
 void require_edited_kind(const std::string& path) {

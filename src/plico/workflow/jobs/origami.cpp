@@ -90,8 +90,7 @@ int write_pattern(const MakeArgs& args, Session& session) {
     for (Vec2& vertex : sheet.vertices) vertex *= args.cell_mm;
     file.unit = "mm";
   }
-  file.report = session.provenance().dump();
-  for (const std::string& path : outputs) session.write(path, write_fold(file));
+  write_fold_files(file, outputs, session);
 
   const int creases = make_linkage(sheet).num_hinges();
   const int real_vertices = static_cast<int>(vertex_facts(sheet).size());

@@ -38,4 +38,10 @@ std::vector<std::string> fold_outputs(const Session& session) {
   return outputs;
 }
 
+void write_fold_files(FoldFile file, const std::vector<std::string>& paths, Session& session) {
+  file.report = session.provenance().dump();
+  const std::string bytes = write_fold(file);
+  for (const std::string& path : paths) session.write(path, bytes);
+}
+
 }  // namespace plico::jobs

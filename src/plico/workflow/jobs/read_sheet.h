@@ -1,4 +1,4 @@
-// How commands read what is flat: nets, crease patterns and motions, of every kind we know.
+// How commands read, and write, what is flat: nets, crease patterns and motions, of every kind we know.
 #pragma once
 #include <string>
 #include <vector>
@@ -18,5 +18,8 @@ void add_drawing_options(Job& job, DrawingOptions& drawing);
 
 // Where a command that writes FOLD files writes: session.outputs("-"), refused when a name asks for another kind.
 std::vector<std::string> fold_outputs(const Session& session);
+
+// Writes the file to each path, with how it was made in it.
+void write_fold_files(FoldFile file, const std::vector<std::string>& paths, Session& session);
 
 }  // namespace plico::jobs

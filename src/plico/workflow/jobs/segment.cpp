@@ -152,9 +152,7 @@ void write_motions(const SegmentArgs& args, const Kit& result, Session& session)
     std::string stem = result.parts.names[i];
     for (char& c : stem)
       if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-') c = '_';
-    FoldFile file = part_motion_file(result.part[i]);
-    file.report = session.provenance().dump();
-    session.write(fmt::format("{}/{}-{}.fold", args.motions, i, stem), write_fold(file));
+    write_fold_files(part_motion_file(result.part[i]), {fmt::format("{}/{}-{}.fold", args.motions, i, stem)}, session);
   }
 }
 
@@ -184,9 +182,7 @@ int segment_file(SegmentArgs& args, Session& session) {
   session.report().update(report);
   say_parts(session, args, report, result);
   if (!result.verdict.valid() || !keeps_bound(args, report)) return kInternal;
-  FoldFile file = parts_file(mesh, result);
-  file.report = session.provenance().dump();
-  for (const std::string& path : outputs) session.write(path, write_fold(file));
+  write_fold_files(parts_file(mesh, result), outputs, session);
   write_motions(args, result, session);
   return Session::exit_code(result.ending);
 }

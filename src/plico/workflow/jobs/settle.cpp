@@ -67,8 +67,7 @@ int settle_file(const SettleArgs& args, Session& session) {
   if (options.states > 0 && settled.states.empty())
     session.say("it does not leave flat with whole panels, so only the goal was closed");
   set_sheet(file, settled.sheet);
-  file.report = session.provenance().dump();
-  for (const std::string& path : outputs) session.write(path, write_fold(file));
+  write_fold_files(file, outputs, session);
   return kDone;
 }
 

@@ -15,6 +15,7 @@
 #include "plico/workflow/jobs/jobs.h"
 #include "plico/workflow/jobs/motion_report.h"
 #include "plico/workflow/jobs/page_files.h"
+#include "plico/workflow/jobs/read_sheet.h"
 #include "plico/workflow/jobs/session.h"
 #include "plico/workflow/jobs/voxel_options.h"
 #include "plico/workflow/stack_motion.h"
@@ -154,9 +155,7 @@ void write_chain(Session& session, const std::string& path, const VoxelMesh& vox
     page.report = session.provenance().dump();
     return session.write(path, viewer_page(page));
   }
-  FoldFile file = motion ? chain_motion_file(*motion) : chain_file(chain.claim);
-  file.report = session.provenance().dump();
-  session.write(path, write_fold(file));
+  write_fold_files(motion ? chain_motion_file(*motion) : chain_file(chain.claim), {path}, session);
 }
 
 void report_motion(Session& session, const StackMotion& motion, const std::string& wish) {
