@@ -132,7 +132,7 @@ class Assembler {
     }
     for (int f = 0; f < net_.sheet.num_faces(); ++f) {
       const Placement& at = placed_.placements[net_.part[f]];
-      PlacedPanel panel{{}, sides_.edges(f)};
+      PlacedPanel panel{{}, sides_.edges(f), f};
       for (int v : net_.sheet.faces[f]) panel.corners.push_back(at(net_.sheet.vertices[v]));
       parts[net_.part[f]].panels.push_back(std::move(panel));
     }

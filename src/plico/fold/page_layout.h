@@ -14,6 +14,7 @@ namespace plico {
 struct PlacedPanel {
   std::vector<Vec2> corners;  // counter-clockwise
   std::vector<int> edges;
+  int panel = -1;  // of the net
 };
 
 // A glue flap: base from a to b on its edge, in the direction that its panel has it (counter-clockwise), tip outside.

@@ -15,6 +15,7 @@
 #include "plico/io/page/pdf.h"
 #include "plico/io/page/svg.h"
 #include "plico/io/pattern/fold.h"
+#include "plico/io/pattern/fold_colors.h"
 #include "plico/mesh/measures.h"
 #include "plico/segment/given.h"
 #include "plico/verify/joints.h"
@@ -190,6 +191,7 @@ void find_net(const Mesh& mesh, const CraftOptions& options, const Run& run, Cra
 std::string fold_text(const Mesh& mesh, const CraftOptions& options, const CraftResult& result) {
   FoldFile file = result.kit ? parts_file(mesh, *result.kit) : fold_file(mesh, result.net);
   file.report = options.made_by;
+  set_colors(file, panel_colors(result.paint));
   if (result.motion && !result.kit) set_path(file, linkage_of(result.net), result.motion->path);
   return write_fold(file);
 }
@@ -223,6 +225,7 @@ std::string page_text(const Mesh& mesh, const CraftOptions& options, const Craft
     page.home = standing(assembled(mesh, result.net), options.layout.size.up);
   page.part_of_panel = result.layout.report.part_of_panel;
   page.side_ids = side_ids(result);
+  page.colors = panel_colors(result.paint);
   if (result.motion) {
     const PathProof& proof = result.motion->proof;
     page.path = result.motion->path;
@@ -240,7 +243,7 @@ std::string page_text(const Mesh& mesh, const CraftOptions& options, const Craft
 void add_pages(const CraftOptions& options, CraftResult& result) {
   DrawOptions how = options.draw;
   if (how.title.empty()) how.title = options.name;
-  const std::vector<Drawing> pages = draw(result.layout.layout, how);
+  const std::vector<Drawing> pages = draw(result.layout.layout, how, result.paint);
   result.files.push_back({options.name + ".pdf", write_pdf(pages, how.title, fmt::format("plico {}", version()))});
   for (std::size_t i = 0; i < pages.size(); ++i) {
     const std::string stem = pages.size() == 1 ? options.name : fmt::format("{}-{}", options.name, i + 1);
@@ -255,6 +258,7 @@ void add_pictures(const Mesh& mesh, const CraftOptions& options, CraftResult& re
   PictureOptions picture;
   picture.width = 900;
   picture.height = 700;
+  picture.colors = panel_colors(result.paint);
   picture.home = standing(assembled(mesh, result.net), options.layout.size.up);
   result.files.push_back({options.name + "-assembled.png", render_png(linkage, goal(linkage), picture)});
   picture.home = standing(exploded(mesh, *result.kit), options.layout.size.up);
@@ -272,6 +276,7 @@ void add_drawings(const Mesh& mesh, const CraftOptions& options, const Run& run,
   }
   result.layout = lay_out_pages(result.net, folded_shape(mesh), layout, run);
   result.layout_verdict = verify_layout(result.layout.layout);
+  result.paint = panel_paint(mesh, result.net, options.paint);
   add_pages(options, result);
   if (is_put_together(result)) add_pictures(mesh, options, result);
 }

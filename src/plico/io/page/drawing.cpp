@@ -11,16 +11,15 @@
 #include "plico/fabricate/place.h"
 #include "plico/font/font.h"
 #include "plico/geom/polygon.h"
+#include "plico/io/page/color_layer.h"
 
 namespace plico {
 namespace {
 
-using Color = std::array<double, 3>;
-
 constexpr Color rgb(int hex) { return {(hex >> 16 & 255) / 255.0, (hex >> 8 & 255) / 255.0, (hex & 255) / 255.0}; }
 
 // The pens of a style; numbers are indices into Drawing::pens.
-enum PenIndex { kCut, kMountain, kValley, kFlat, kMark, kLeader, kTabFill, kText, kFaint };
+enum PenIndex { kCut, kMountain, kValley, kFlat, kMark, kLeader, kTabFill, kText, kFaint, kLight };
 
 std::vector<Pen> pens(DrawStyle style) {
   const std::vector<double> dash_dot{2.2, 0.7, 0.25, 0.7}, dash{1.6, 1.0}, dots{0.3, 0.9};
@@ -57,15 +56,27 @@ Layer layer_of(Assignment fold) {
   return fold == Assignment::Mountain ? Layer::Mountain : fold == Assignment::Valley ? Layer::Valley : Layer::Mark;
 }
 
+// On paint that is so dark, letters are white.
+constexpr double kDark = 0.4;
+double brightness(const Color& color) { return 0.3 * color[0] + 0.59 * color[1] + 0.11 * color[2]; }
+
+bool shows_colors(const DrawOptions& options) {
+  return options.color && options.style != DrawStyle::Laser && options.style != DrawStyle::Bw &&
+         options.side != PaperSide::Inside;
+}
+
 // Draws one page.
 class Drafter {
  public:
-  Drafter(const PageLayout& layout, int page, const DrawOptions& options, const Font& font)
+  Drafter(const PageLayout& layout, int page, const DrawOptions& options, const PanelPaint& paint, const Font& font)
       : layout_(layout), page_(layout.pages[page]), number_(page), options_(options), font_(font) {
     drawing_.size = page_.size;
     drawing_.title = options.title;
     drawing_.pens = pens(options.style);
     if (options.perforation.cut > 0) drawing_.pens[kMountain].dash = drawing_.pens[kValley].dash = {};
+    if (paint.empty() || !shows_colors(options)) return;
+    add_colors(layout, page, paint, drawing_.pens[kTabFill].color, drawing_);
+    drawing_.pens.push_back({rgb(0xffffff), 0.1});  // kLight
   }
 
   Drawing run() {
@@ -104,7 +115,7 @@ class Drafter {
   }
 
   void draw_part(const PlacedPart& part) {
-    if (drawing_.pens[kTabFill].fill)
+    if (drawing_.pens[kTabFill].fill && !drawing_.is_painted())
       for (const Tab& tab : part.tabs)
         drawing_.strokes.push_back({Layer::Mark, {tab.corners.begin(), tab.corners.end()}, true, kTabFill});
     for (const FoldLine& fold : part.folds)
@@ -152,6 +163,7 @@ class Drafter {
 
   void write_centered(const std::string& text, const Vec2& center, double angle, double size, PenIndex pen) {
     const Vec2 back(-font_.width(text, size) / 2, -Font::cap_height(size) / 2);
+    if (drawing_.is_painted() && brightness(color_under(drawing_, center)) < kDark) pen = kLight;
     drawing_.texts.push_back({text, center + rotation(angle) * back, angle, size, pen});
   }
 
@@ -221,9 +233,12 @@ class Drafter {
   Drawing drawing_;
 };
 
-// As the other side of the paper shows it: left is right and mountains are valleys, but letters stay letters.
+// As the other side of the paper shows it: left is right and mountains are valleys, but letters stay letters. Colours
+// stay outside.
 Drawing seen_from_inside(Drawing drawing, const Font& font) {
   const double width = drawing.size.x();
+  drawing.fills.clear();
+  drawing.picture = {};
   const auto flipped = [&](const Vec2& p) { return Vec2(width - p.x(), p.y()); };
   for (Stroke& stroke : drawing.strokes) {
     for (Vec2& p : stroke.points) p = flipped(p);
@@ -233,6 +248,7 @@ Drawing seen_from_inside(Drawing drawing, const Font& font) {
     }
   }
   for (Text& text : drawing.texts) {
+    if (text.pen == kLight) text.pen = kText;
     const bool upright =
         text.angle > kPi / 2 - 1e-9;  // of a key that stands on its side: stays readable from the right
     text.start = flipped(text.start + rotation(text.angle) * Vec2(font.width(text.text, text.size), 0));
@@ -289,12 +305,12 @@ void check(const DrawOptions& options) {
     throw InvalidOption(fmt::format("perforation: gaps of {:g} mm must be in [0.2, 50] mm", gap));
 }
 
-std::vector<Drawing> draw(const PageLayout& layout, const DrawOptions& options) {
+std::vector<Drawing> draw(const PageLayout& layout, const DrawOptions& options, const PanelPaint& paint) {
   check(options);
   const Font font;
   std::vector<Drawing> drawings;
   for (int page = 0; page < static_cast<int>(layout.pages.size()); ++page)
-    add_sides(Drafter(layout, page, options, font).run(), options, font, drawings);
+    add_sides(Drafter(layout, page, options, paint, font).run(), options, font, drawings);
   return drawings;
 }
 

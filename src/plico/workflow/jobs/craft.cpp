@@ -168,6 +168,7 @@ int craft_shells(const CraftArgs& args, Session& session) {
   options.pieces = std::move(pieces.pieces);
   options.joints = std::move(pieces.joints);
   options.layout.size.up = up_axis(args.print.up, pieces.mesh, session);
+  options.paint = read_paint_of(args.mesh, session);
   return write_result(args, pieces.mesh, folder, craft(pieces.mesh, options, session.run()), session);
 }
 
@@ -175,12 +176,13 @@ int craft_file(const CraftArgs& args, Session& session) {
   check_shell_usage(args);
   craft_options(args, session);  // what is wrong is told before the folder is made
   if (args.shells) return craft_shells(args, session);
-  Mesh given = read_mesh(args.mesh, args.repair, session);
+  PaintedMesh given = read_painted_mesh(args.mesh, args.repair, session);
   const std::string folder = session.output_folder(stem(args.mesh));
-  const Mesh mesh = mesh_to_craft(std::move(given), args, session);
+  const Mesh mesh = mesh_to_craft(std::move(given.mesh), args, session);
   warn_of_many_faces(mesh, args.mesh, session);
   CraftOptions options = craft_options(args, session);
   options.layout.size.up = up_axis(args.print.up, mesh, session);
+  options.paint = std::move(given.paint);
   return write_result(args, mesh, folder, craft(mesh, options, session.run()), session);
 }
 

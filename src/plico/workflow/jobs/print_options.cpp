@@ -106,6 +106,7 @@ void add_print_options(Job& job, PrintArgs& args) {
               "where facets of two pieces meet: marks to glue them, marks with a hole for a paper rivet so that they "
               "turn, or nothing",
               args.joint, {"glue", "rivet", "none"})
+      .flag("--no-color", "do not print the colours and pictures of the model", args.no_color)
       .flag("--shadow-tabs", "draw where each tab lands on the panel it is glued under", args.shadow_tabs)
       .flag("--no-ruler", "leave out the ruler", args.no_ruler)
       .flag("--no-legend", "leave out the legend", args.no_legend)
@@ -149,6 +150,7 @@ DrawOptions draw_options(const PrintArgs& args, const std::string& default_title
                       .side = args.side == "inside" ? PaperSide::Inside
                               : args.side == "both" ? PaperSide::Both
                                                     : PaperSide::Outside,
+                      .color = !args.no_color,
                       .shadow_tabs = args.shadow_tabs};
   const std::string text = or_else(args.text, by.text);
   options.text = text == "none" ? TextForm::None : text == "outlines" ? TextForm::Outlines : TextForm::Text;

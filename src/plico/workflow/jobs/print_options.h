@@ -20,7 +20,7 @@ struct PrintArgs {
   SizeOptions size;
   std::vector<std::string> marks;
   bool landscape = false, split = false, no_labels = false, show_flat_creases = false, no_ruler = false,
-       no_legend = false, shadow_tabs = false;
+       no_legend = false, shadow_tabs = false, no_color = false;
 };
 
 void add_print_options(Job& job, PrintArgs& args);
