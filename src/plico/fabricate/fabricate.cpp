@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "plico/base/error.h"
+#include "plico/fabricate/hand_measures.h"
 #include "plico/fabricate/pieces.h"
 #include "plico/fabricate/split.h"
 #include "plico/geom/convex2.h"
@@ -86,6 +87,20 @@ void require_fit(const std::vector<std::vector<Vec2>>& hulls, const std::vector<
     if (worst < 0 || fits < factor) worst = static_cast<int>(i), factor = fits;
   }
   if (worst >= 0) throw_too_large(worst, factor, scale, shape, options, is_panel);
+}
+
+// In millimetres, with the folds cut that are not to stay.
+Unfolding net_to_print(const Unfolding& model_net, const LayoutOptions& options, LayoutReport& report) {
+  Unfolding net = in_millimetres(model_net, report.scale);
+  if (options.cut_weak_folds) {
+    const std::vector<char> weak = weak_folds(net, 1);
+    report.weak_folds_cut = static_cast<int>(std::ranges::count(weak, 1));
+    if (report.weak_folds_cut > 0) net = cut_folds(net, weak);
+  }
+  if (!options.split || !any_too_large(net, room_without_tabs(options))) return net;
+  const std::vector<char> cuts = cuts_to_fit(NetSides(net), room_without_tabs(options));
+  report.folds_cut = static_cast<int>(std::ranges::count(cuts, 1));
+  return cut_folds(net, cuts);
 }
 
 // Items to place: every part with its tabs.
@@ -293,12 +308,7 @@ LayoutResult lay_out_pages(const Unfolding& model_net, const FoldedShape& shape,
   report.scale = wanted_scale(model_net, shape, options);
   report.final_size = report.scale * shape.size;
 
-  Unfolding net = in_millimetres(model_net, report.scale);
-  if (options.split && any_too_large(net, room_without_tabs(options))) {
-    const std::vector<char> cuts = cuts_to_fit(NetSides(net), room_without_tabs(options));
-    report.folds_cut = static_cast<int>(std::ranges::count(cuts, 1));
-    net = cut_folds(net, cuts);
-  }
+  const Unfolding net = net_to_print(model_net, options, report);
   const NetSides sides(net);
   const Outlines outlines = sides.outlines();
   run.report("making tabs", 0);

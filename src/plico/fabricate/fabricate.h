@@ -27,6 +27,7 @@ struct LayoutOptions {
   LabelOptions labels;
   MarkOptions marks;
   bool split = false;              // cut parts that are too large for a page
+  bool cut_weak_folds = false;     // cut folds that are too short for what hangs on them (hand_measures.h)
   double flat = radians(0.5);      // folds up to this angle count as flat, radians
   std::vector<PartTitle> titles;   // of each part of the net; empty: "A", "B", ...
   std::vector<int> seams;          // number of each sheet edge glued to another part; empty, or 0 of all: numbered here
@@ -38,7 +39,8 @@ struct LayoutReport {
   double scale = 1;                // millimetres per unit
   Vec3 final_size = Vec3::Zero();  // of the folded model, millimetres
   int pages = 0, parts = 0;
-  int folds_cut = 0;      // by splitting
+  int folds_cut = 0;  // by splitting
+  int weak_folds_cut = 0;
   double fill_ratio = 0;  // parts and tabs over printable area
   Tabs tabs;              // tabs made, shrunk, moved, omitted
   LabelReport labels;

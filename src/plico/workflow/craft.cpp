@@ -166,16 +166,23 @@ void find_net_that_folds(const Mesh& mesh, const CraftOptions& options, const Ru
   result.motion = std::move(found.motion);
 }
 
-void find_net(const Mesh& mesh, const CraftOptions& options, const Run& run, CraftResult& result) {
+// Where no motion is wanted, or none exists, nothing holds a better net back.
+UnfoldOutcome unfold_for_hands(const Mesh& mesh, const CraftOptions& options, const Run& run) {
   UnfoldOutcome unfolded = unfold_mesh(mesh, options.unfold, run);
-  if (!options.law && unfolded.ending == Ending::Found && may_improve(options, mesh)) {
-    UnfoldOptions better = options.unfold;
-    better.optimize = better_for(options, mesh, printed_scale(options, mesh, unfolded.unfolding));
-    unfolded = unfold_mesh(mesh, better, run);
-  }
+  if (unfolded.ending != Ending::Found || !may_improve(options, mesh)) return unfolded;
+  UnfoldOptions better = options.unfold;
+  better.optimize = better_for(options, mesh, printed_scale(options, mesh, unfolded.unfolding));
+  return unfold_mesh(mesh, better, run);
+}
+
+void take(UnfoldOutcome unfolded, CraftResult& result) {
   result.ending = unfolded.ending;
   result.net = std::move(unfolded.unfolding);
   result.verdict = std::move(unfolded.verdict);
+}
+
+void find_net(const Mesh& mesh, const CraftOptions& options, const Run& run, CraftResult& result) {
+  take(options.law ? unfold_mesh(mesh, options.unfold, run) : unfold_for_hands(mesh, options, run), result);
   if (!options.law)
     result.why_no_motion = "none was asked for";
   else if (mesh.num_faces() == 1)
@@ -184,6 +191,7 @@ void find_net(const Mesh& mesh, const CraftOptions& options, const Run& run, Cra
     result.why_no_motion = "there is no net in one piece";
   else
     find_net_that_folds(mesh, options, run, result);
+  if (options.law && !result.motion && !run.over()) take(unfold_for_hands(mesh, options, run), result);
   improve_net(mesh, options, run, result);
 }
 
@@ -289,6 +297,7 @@ void report_pages(const CraftResult& result, nlohmann::json& report) {
   report["edges_under_5_mm"] = work.small;
   report["seams_without_tab"] = layout.tabs.omitted + layout.tabs.short_seams;
   report["pages_verified"] = result.layout_verdict.sound();
+  report["weak_folds_cut"] = layout.weak_folds_cut;
   report["hands"] = json_of(measure_for_hands(result.net, layout.scale));
 }
 
