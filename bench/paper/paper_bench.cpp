@@ -109,7 +109,7 @@ int bench(const Arguments& args) {
   Table page("as large as one page holds, before and after", {"mesh", "faces", "paper %", "now %", "weak", "now", "s"});
   bench_page(args, page, run);
   Table sized("before > after", {"mesh", "faces", "area over hull", "left less", "carrying mm", "weak", "at least",
-                                 "needles", "tight", "tabs", "ids out", "pages", "proof kept", "s"});
+                                 "cuts", "needles", "tight", "tabs", "ids out", "pages", "proof kept", "s"});
   for (double longest_mm : {200.0, 100.0}) bench_size(args, sized, longest_mm, run);
   write_json(args, {&page, &sized});
   return 0;

@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "plico/base/run.h"
+#include "plico/fabricate/assembly.h"
+#include "plico/fabricate/inset.h"
 #include "plico/fabricate/joints.h"
 #include "plico/fabricate/labels.h"
 #include "plico/fabricate/marks.h"
@@ -31,6 +33,7 @@ struct LayoutOptions {
   double flat = radians(0.5);      // folds up to this angle count as flat, radians
   std::vector<PartTitle> titles;   // of each part of the net; empty: "A", "B", ...
   std::vector<int> seams;          // number of each sheet edge glued to another part; empty, or 0 of all: numbered here
+  std::vector<int> rank;           // of each part of the net in the order of assembly; empty: by the seams
   std::vector<JointFacet> joints;  // facets that meet facets of other parts
   JointKind joint = JointKind::Glue;
 };
@@ -47,9 +50,13 @@ struct LayoutReport {
   int joints_unnamed = 0;       // facets of joints that are too small for their text
   int joints_without_hole = 0;  // of rivets, too small for the hole
   int pages_without_ruler = 0;
+  int pages_without_picture = 0;    // of the model, when there are several parts and their places are known
+  std::vector<AssemblyStep> steps;  // of the printed parts, when there are several
   // As printed: of each edge of the net, "" for none; and the letter of the part that each panel is printed in. Edges
   // that splitting made follow after those of the net.
   std::vector<std::string> edge_ids, part_of_panel;
+  std::vector<std::string> part_names;  // of each printed part
+  std::vector<int> page_of_part;        // from 0
 };
 
 struct LayoutResult {

@@ -30,9 +30,9 @@ constexpr long kStepsAPanel = 2000, kMostSteps = 600'000;
 // Share of the steps that start from a panel on the hull, when hull or box count; and how far they climb.
 constexpr double kFromHull = 0.7, kClimb = 0.9;
 // What one weak fold or needle weighs, against all that the hull weighs at the start.
-constexpr double kFault = 0.12;
+constexpr double kFault = 0.06;
 // How often on the way a net that folds is looked at closely.
-constexpr int kLooks = 48;
+constexpr int kLooks = 16;
 
 double interior_length(const Mesh& mesh) {
   double sum = 0;

@@ -276,12 +276,31 @@ void add_drawings(const Mesh& mesh, const CraftOptions& options, const Run& run,
   if (result.kit) {
     layout.titles = part_titles(result.kit->parts.names, result.kit->pieces);
     layout.seams = seams_of(mesh, *result.kit);
+    layout.rank = assembly_steps(mesh, result.kit->parts, result.kit->joints);
     layout.joints = joint_facets(mesh, result.net, result.kit->joints, result.kit->pieces, layout.titles);
   }
   result.layout = lay_out_pages(result.net, folded_shape(mesh), layout, run);
   result.layout_verdict = verify_layout(result.layout.layout);
   add_pages(options, result);
   if (is_put_together(result)) add_pictures(mesh, options, result);
+}
+
+// "step 2": "C on page 1, onto A and B". Numbers have one width, so that they sort.
+nlohmann::json assembly_json(const LayoutReport& layout) {
+  nlohmann::json steps = nlohmann::json::object();
+  const int digits = layout.steps.size() < 10 ? 1 : layout.steps.size() < 100 ? 2 : 4;
+  for (std::size_t i = 0; i < layout.steps.size(); ++i) {
+    const AssemblyStep& step = layout.steps[i];
+    std::string text = fmt::format("{} on page {}", layout.part_names[step.part], layout.page_of_part[step.part] + 1);
+    for (std::size_t k = 0; k < step.onto.size(); ++k)
+      text += fmt::format("{}{}",
+                          k == 0                     ? ", onto "
+                          : k + 1 < step.onto.size() ? ", "
+                                                     : " and ",
+                          layout.part_names[step.onto[k]]);
+    steps[fmt::format("step {:0{}}", i + 1, digits)] = std::move(text);
+  }
+  return steps;
 }
 
 void report_pages(const CraftResult& result, nlohmann::json& report) {
@@ -297,6 +316,7 @@ void report_pages(const CraftResult& result, nlohmann::json& report) {
   report["edges_under_5_mm"] = work.small;
   report["seams_without_tab"] = layout.tabs.omitted + layout.tabs.short_seams;
   report["pages_verified"] = result.layout_verdict.sound();
+  if (!layout.steps.empty()) report["assembly"] = assembly_json(layout);
   report["weak_folds_cut"] = layout.weak_folds_cut;
   report["hands"] = json_of(measure_for_hands(result.net, layout.scale));
 }

@@ -62,8 +62,7 @@ std::string motion_text(const CraftResult& result) {
   return fmt::format("{}, not proven", result.motion_kind);
 }
 
-void print_pieces(const Session& session, const Mesh& mesh, const Kit& kit) {
-  const std::vector<int> step = assembly_steps(mesh, kit.parts, kit.joints);
+void print_pieces(const Session& session, const Kit& kit) {
   for (int i = 0; i < kit.parts.num_parts(); ++i) {
     const ProvenPart& piece = kit.part[i];
     const std::string motion =
@@ -71,19 +70,14 @@ void print_pieces(const Session& session, const Mesh& mesh, const Kit& kit) {
                      : std::string(piece.net.sheet.num_faces() == 1 ? "nothing turns" : "no motion");
     session.print(fmt::format("piece {:<4} {} panels, {}\n", kit.parts.names[i], piece.net.sheet.num_faces(), motion));
   }
-  std::string order;
-  for (int at = 1; at <= kit.parts.num_parts(); ++at)
-    order += " " + kit.parts.names[std::ranges::find(step, at) - step.begin()];
-  session.print(fmt::format("build     {}\n", order));
 }
 
-void print_result(const CraftArgs& args, const Session& session, const std::string& folder, const Mesh& mesh,
-                  const CraftResult& result) {
+void print_result(const CraftArgs& args, const Session& session, const std::string& folder, const CraftResult& result) {
   session.print(fmt::format("net        {} panels, {} {}, {}\n", result.verdict.panels, result.verdict.parts,
                             result.verdict.parts == 1 ? "part" : "parts",
                             result.verdict.valid() ? "verified free of overlap" : "NOT verified"));
   session.print(fmt::format("motion     {}\n", motion_text(result)));
-  if (result.kit) print_pieces(session, mesh, *result.kit);
+  if (result.kit) print_pieces(session, *result.kit);
   if (result.drawn)
     session.print(layout_text(result.layout.report));
   else
@@ -161,7 +155,7 @@ int write_result(const CraftArgs& args, const Mesh& mesh, const std::string& fol
                  Session& session) {
   for (const CraftFile& file : result.files) session.write(folder + "/" + file.name, file.bytes);
   session.report()["craft"] = craft_report(mesh, result);
-  print_result(args, session, folder, mesh, result);
+  print_result(args, session, folder, result);
   if (!args.shells && result.drawn) warn_of_small_edges(session, result);
   if (result.drawn) warn_of_weak_folds(args, session, result);
   for (const Defect& defect : result.verdict.defects) session.warn(defect.message);

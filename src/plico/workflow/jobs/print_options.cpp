@@ -188,6 +188,18 @@ nlohmann::json json_of(const LayoutReport& r) {
           {"pages_without_ruler", r.pages_without_ruler}};
 }
 
+// "build A, C onto A, B onto C", the first dozen.
+std::string build_text(const LayoutReport& r) {
+  constexpr std::size_t kMost = 12;
+  std::string text = "build";
+  for (std::size_t i = 0; i < std::min(kMost, r.steps.size()); ++i) {
+    const AssemblyStep& step = r.steps[i];
+    text += fmt::format("{} {}", i == 0 ? "" : ",", r.part_names[step.part]);
+    if (!step.onto.empty()) text += " onto " + r.part_names[step.onto.front()];
+  }
+  return text + (r.steps.size() > kMost ? ", ...\n" : "\n");
+}
+
 std::string layout_text(const LayoutReport& r) {
   const Vec3& s = r.final_size;
   std::string text =
@@ -199,6 +211,7 @@ std::string layout_text(const LayoutReport& r) {
                       r.tabs.tabs.size(), r.tabs.shrunk, r.tabs.moved, r.tabs.omitted, r.tabs.short_seams);
   text += fmt::format("edge ids: {} at their edge, {} beside it, {} left out\n", r.labels.placed, r.labels.leaders,
                       r.labels.omitted);
+  if (!r.steps.empty()) text += build_text(r);
   if (r.folds_cut > 0) text += fmt::format("{} folds became seams so that the parts fit\n", r.folds_cut);
   if (r.weak_folds_cut > 0) text += fmt::format("{} short folds with much on them became seams\n", r.weak_folds_cut);
   if (r.joints_without_hole > 0)
