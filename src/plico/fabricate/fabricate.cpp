@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "plico/base/error.h"
-#include "plico/fabricate/hand_measures.h"
 #include "plico/fabricate/pieces.h"
 #include "plico/fabricate/split.h"
 #include "plico/geom/convex2.h"
@@ -340,6 +339,7 @@ LayoutResult lay_out_pages(const Unfolding& model_net, const FoldedShape& shape,
   report.final_size = report.scale * shape.size;
 
   const Unfolding net = net_to_print(model_net, options, report);
+  report.hands = measure_for_hands(net, 1);
   const NetSides sides(net);
   const Outlines outlines = sides.outlines();
   run.report("making tabs", 0);

@@ -5,6 +5,7 @@
 
 #include "plico/base/run.h"
 #include "plico/fabricate/assembly.h"
+#include "plico/fabricate/hand_measures.h"
 #include "plico/fabricate/inset.h"
 #include "plico/fabricate/joints.h"
 #include "plico/fabricate/labels.h"
@@ -44,6 +45,7 @@ struct LayoutReport {
   int pages = 0, parts = 0;
   int folds_cut = 0;  // by splitting
   int weak_folds_cut = 0;
+  HandMeasures hands;     // of the printed parts
   double fill_ratio = 0;  // parts and tabs over printable area
   Tabs tabs;              // tabs made, shrunk, moved, omitted
   LabelReport labels;

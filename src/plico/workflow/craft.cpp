@@ -7,7 +7,6 @@
 
 #include "plico/base/error.h"
 #include "plico/base/version.h"
-#include "plico/fabricate/hand_measures.h"
 #include "plico/fabricate/net_sides.h"
 #include "plico/io/motion/png.h"
 #include "plico/io/motion/viewer.h"
@@ -318,7 +317,7 @@ void report_pages(const CraftResult& result, nlohmann::json& report) {
   report["pages_verified"] = result.layout_verdict.sound();
   if (!layout.steps.empty()) report["assembly"] = assembly_json(layout);
   report["weak_folds_cut"] = layout.weak_folds_cut;
-  report["hands"] = json_of(measure_for_hands(result.net, layout.scale));
+  report["hands"] = json_of(layout.hands);
 }
 
 }  // namespace

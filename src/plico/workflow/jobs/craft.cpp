@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "plico/base/error.h"
-#include "plico/fabricate/hand_measures.h"
 #include "plico/mesh/measures.h"
 #include "plico/workflow/craft.h"
 #include "plico/workflow/jobs/jobs.h"
@@ -110,16 +109,17 @@ void warn_of_small_edges(const Session& session, const CraftResult& result) {
 }
 
 // Folds that may tear; at the size that is told this very net has none.
-void warn_of_weak_folds(const CraftArgs& args, const Session& session, const CraftResult& result) {
+void warn_of_weak_folds(const Session& session, const CraftResult& result) {
   const LayoutReport& layout = result.layout.report;
-  const HandMeasures hands = measure_for_hands(result.net, layout.scale);
-  if (hands.weak == 0 || args.print.weak_folds == "cut") return;
+  const HandMeasures& hands = layout.hands;
+  if (hands.weak == 0) return;
+  const double longest = layout.final_size.maxCoeff();
+  const double larger = std::ceil(longest * kShortestFold / hands.shortest_carrying);
   session.warn(fmt::format(
-      "{} {} under {:g} mm {} more than {} panels and may tear{}; try --longest {:.0f}mm, or --weak-folds cut",
-      hands.weak, hands.weak == 1 ? "fold" : "folds", kShortestFold, hands.weak == 1 ? "carries" : "carry",
-      kLightBranchPanels,
+      "{} {} under {:g} mm {} more than {} panels and may tear{}; try {}--weak-folds cut", hands.weak,
+      hands.weak == 1 ? "fold" : "folds", kShortestFold, hands.weak == 1 ? "carries" : "carry", kLightBranchPanels,
       hands.least_weak > 0 ? fmt::format(" (no net of this shape has fewer than {})", hands.least_weak) : "",
-      std::ceil(layout.final_size.maxCoeff() * kShortestFold / hands.shortest_carrying)));
+      larger <= 2 * longest ? fmt::format("--longest {:.0f}mm, or ", larger) : ""));
 }
 
 // The shells of a shape in parts; of one that hangs together, those of its nearly convex parts.
@@ -157,7 +157,7 @@ int write_result(const CraftArgs& args, const Mesh& mesh, const std::string& fol
   session.report()["craft"] = craft_report(mesh, result);
   print_result(args, session, folder, result);
   if (!args.shells && result.drawn) warn_of_small_edges(session, result);
-  if (result.drawn) warn_of_weak_folds(args, session, result);
+  if (result.drawn) warn_of_weak_folds(session, result);
   for (const Defect& defect : result.verdict.defects) session.warn(defect.message);
   for (const Defect& defect : result.joint_defects) session.warn(defect.message);
   if (result.kit)
