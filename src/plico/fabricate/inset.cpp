@@ -11,6 +11,7 @@
 #include "plico/base/units.h"
 #include "plico/fabricate/pieces.h"
 #include "plico/fabricate/place.h"
+#include "plico/geom/polygon.h"
 #include "plico/mesh/upright.h"
 
 namespace plico {
@@ -54,9 +55,17 @@ std::optional<Vec2> free_place(const PageLayout& layout, int page, const PieceGr
   return std::nullopt;
 }
 
-// Looked at from the front right and a little from above, as stills are; columns: right, up, towards the eye.
-Eigen::Matrix3d camera(char up) {
-  const double around = radians(-35), above = radians(25);
+// Where one looks from: the front right and a little from above, as stills do, or else around and from below.
+struct Direction {
+  double around, above;  // degrees
+};
+constexpr std::array kDirections{Direction{-35, 25},  Direction{55, 25},  Direction{145, 25},  Direction{-125, 25},
+                                 Direction{-35, -25}, Direction{55, -25}, Direction{145, -25}, Direction{-125, -25}};
+constexpr double kClearlyBetter = 1.3;  // the first is taken unless another one shows so much more
+
+// Rows: right, up, towards the eye.
+Eigen::Matrix3d camera(const Direction& from, char up) {
+  const double around = radians(from.around), above = radians(from.above);
   Eigen::Matrix3d axes;
   axes.row(0) = Vec3(plico::cos(around), plico::sin(around), 0);
   axes.row(2) =
@@ -71,8 +80,8 @@ struct Seen {
   std::vector<std::vector<Vec2>> panels;
 };
 
-Seen seen(const ModelView& view) {
-  const Eigen::Matrix3d eye = camera(view.up);
+Seen seen(const ModelView& view, const Direction& from) {
+  const Eigen::Matrix3d eye = camera(from, view.up);
   Seen result;
   Eigen::AlignedBox2d box;
   std::vector<double> depth;
@@ -118,8 +127,29 @@ std::vector<std::string> step_lines(const PageLayout& layout, int page, const st
   return lines;
 }
 
-bool put_inset(PageLayout& layout, int page, const PieceGrid& grid, const Seen& view, const Unfolding& net,
-               const std::vector<int>& step, const Font& font) {
+// How much of the parts on the page faces the eye; what lies in front of it is not looked at.
+double shown(const Seen& view, const Unfolding& net, const std::vector<char>& here) {
+  double area = 0;
+  for (std::size_t panel = 0; panel < view.panels.size(); ++panel)
+    if (here[net.part[panel]]) area += std::max(0.0, signed_area(view.panels[panel]));
+  return area;
+}
+
+const Seen& best_view(const std::vector<Seen>& views, const Unfolding& net, const std::vector<char>& here) {
+  const Seen* best = &views.front();
+  double most = kClearlyBetter * shown(*best, net, here);
+  for (const Seen& view : views) {
+    const double area = shown(view, net, here);
+    if (area > most) best = &view, most = area;
+  }
+  return *best;
+}
+
+bool put_inset(PageLayout& layout, int page, const PieceGrid& grid, const std::vector<Seen>& views,
+               const Unfolding& net, const std::vector<int>& step, const Font& font) {
+  std::vector<char> here(net.num_parts(), 0);
+  for (const PlacedPart& part : layout.parts) here[part.part] = part.page == page;
+  const Seen& view = best_view(views, net, here);
   for (double side : kInsetSides) {
     Inset inset;
     inset.lines = step_lines(layout, page, step, side, font);
@@ -127,8 +157,6 @@ bool put_inset(PageLayout& layout, int page, const PieceGrid& grid, const Seen& 
     const std::optional<Vec2> at = free_place(layout, page, grid, inset.size);
     if (!at) continue;
     inset.at = *at;
-    std::vector<char> here(net.num_parts(), 0);
-    for (const PlacedPart& part : layout.parts) here[part.part] = part.page == page;
     const Vec2 picture(at->x(), at->y() + inset.size.y() - side);
     for (int panel : view.order) {
       Inset::Panel drawn{{}, here[net.part[panel]] != 0};
@@ -147,10 +175,11 @@ int add_insets(PageLayout& layout, const Unfolding& net, const ModelView& view, 
                const Font& font) {
   if (view.panels.empty() || view.panels.size() > kMostToPicture) return static_cast<int>(layout.pages.size());
   const PieceGrid grid = taken(layout);
-  const Seen picture = seen(view);
+  std::vector<Seen> views;
+  for (const Direction& from : kDirections) views.push_back(seen(view, from));
   int without = 0;
   for (int page = 0; page < static_cast<int>(layout.pages.size()); ++page)
-    without += !put_inset(layout, page, grid, picture, net, step, font);
+    without += !put_inset(layout, page, grid, views, net, step, font);
   return without;
 }
 
