@@ -7,7 +7,6 @@
 
 #include "plico/base/error.h"
 #include "plico/base/version.h"
-#include "plico/fabricate/hand_measures.h"
 #include "plico/fabricate/net_sides.h"
 #include "plico/io/motion/png.h"
 #include "plico/io/motion/viewer.h"
@@ -167,16 +166,23 @@ void find_net_that_folds(const Mesh& mesh, const CraftOptions& options, const Ru
   result.motion = std::move(found.motion);
 }
 
-void find_net(const Mesh& mesh, const CraftOptions& options, const Run& run, CraftResult& result) {
+// Where no motion is wanted, or none exists, nothing holds a better net back.
+UnfoldOutcome unfold_for_hands(const Mesh& mesh, const CraftOptions& options, const Run& run) {
   UnfoldOutcome unfolded = unfold_mesh(mesh, options.unfold, run);
-  if (!options.law && unfolded.ending == Ending::Found && may_improve(options, mesh)) {
-    UnfoldOptions better = options.unfold;
-    better.optimize = better_for(options, mesh, printed_scale(options, mesh, unfolded.unfolding));
-    unfolded = unfold_mesh(mesh, better, run);
-  }
+  if (unfolded.ending != Ending::Found || !may_improve(options, mesh)) return unfolded;
+  UnfoldOptions better = options.unfold;
+  better.optimize = better_for(options, mesh, printed_scale(options, mesh, unfolded.unfolding));
+  return unfold_mesh(mesh, better, run);
+}
+
+void take(UnfoldOutcome unfolded, CraftResult& result) {
   result.ending = unfolded.ending;
   result.net = std::move(unfolded.unfolding);
   result.verdict = std::move(unfolded.verdict);
+}
+
+void find_net(const Mesh& mesh, const CraftOptions& options, const Run& run, CraftResult& result) {
+  take(options.law ? unfold_mesh(mesh, options.unfold, run) : unfold_for_hands(mesh, options, run), result);
   if (!options.law)
     result.why_no_motion = "none was asked for";
   else if (mesh.num_faces() == 1)
@@ -185,6 +191,7 @@ void find_net(const Mesh& mesh, const CraftOptions& options, const Run& run, Cra
     result.why_no_motion = "there is no net in one piece";
   else
     find_net_that_folds(mesh, options, run, result);
+  if (options.law && !result.motion && !run.over()) take(unfold_for_hands(mesh, options, run), result);
   improve_net(mesh, options, run, result);
 }
 
@@ -272,6 +279,7 @@ void add_drawings(const Mesh& mesh, const CraftOptions& options, const Run& run,
   if (result.kit) {
     layout.titles = part_titles(result.kit->parts.names, result.kit->pieces);
     layout.seams = seams_of(mesh, *result.kit);
+    layout.rank = assembly_steps(mesh, result.kit->parts, result.kit->joints);
     layout.joints = joint_facets(mesh, result.net, result.kit->joints, result.kit->pieces, layout.titles);
   }
   result.layout = lay_out_pages(result.net, folded_shape(mesh), layout, run);
@@ -279,6 +287,24 @@ void add_drawings(const Mesh& mesh, const CraftOptions& options, const Run& run,
   result.paint = panel_paint(mesh, result.net, options.paint);
   add_pages(options, result);
   if (is_put_together(result)) add_pictures(mesh, options, result);
+}
+
+// "step 2": "C on page 1, onto A and B". Numbers have one width, so that they sort.
+nlohmann::json assembly_json(const LayoutReport& layout) {
+  nlohmann::json steps = nlohmann::json::object();
+  const int digits = layout.steps.size() < 10 ? 1 : layout.steps.size() < 100 ? 2 : 4;
+  for (std::size_t i = 0; i < layout.steps.size(); ++i) {
+    const AssemblyStep& step = layout.steps[i];
+    std::string text = fmt::format("{} on page {}", layout.part_names[step.part], layout.page_of_part[step.part] + 1);
+    for (std::size_t k = 0; k < step.onto.size(); ++k)
+      text += fmt::format("{}{}",
+                          k == 0                     ? ", onto "
+                          : k + 1 < step.onto.size() ? ", "
+                                                     : " and ",
+                          layout.part_names[step.onto[k]]);
+    steps[fmt::format("step {:0{}}", i + 1, digits)] = std::move(text);
+  }
+  return steps;
 }
 
 void report_pages(const CraftResult& result, nlohmann::json& report) {
@@ -294,7 +320,9 @@ void report_pages(const CraftResult& result, nlohmann::json& report) {
   report["edges_under_5_mm"] = work.small;
   report["seams_without_tab"] = layout.tabs.omitted + layout.tabs.short_seams;
   report["pages_verified"] = result.layout_verdict.sound();
-  report["hands"] = json_of(measure_for_hands(result.net, layout.scale));
+  if (!layout.steps.empty()) report["assembly"] = assembly_json(layout);
+  report["weak_folds_cut"] = layout.weak_folds_cut;
+  report["hands"] = json_of(layout.hands);
 }
 
 }  // namespace

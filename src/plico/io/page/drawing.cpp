@@ -19,7 +19,21 @@ namespace {
 constexpr Color rgb(int hex) { return {(hex >> 16 & 255) / 255.0, (hex >> 8 & 255) / 255.0, (hex & 255) / 255.0}; }
 
 // The pens of a style; numbers are indices into Drawing::pens.
-enum PenIndex { kCut, kMountain, kValley, kFlat, kMark, kLeader, kTabFill, kText, kFaint, kLight };
+enum PenIndex {
+  kCut,
+  kMountain,
+  kValley,
+  kFlat,
+  kMark,
+  kLeader,
+  kTabFill,
+  kText,
+  kFaint,
+  kElsewhere,  // this and what follows only where they are used
+  kHere,
+  kHair,
+  kLight
+};
 
 std::vector<Pen> pens(DrawStyle style) {
   const std::vector<double> dash_dot{2.2, 0.7, 0.25, 0.7}, dash{1.6, 1.0}, dots{0.3, 0.9};
@@ -46,6 +60,13 @@ std::vector<Pen> pens(DrawStyle style) {
           {rgb(0x000000), 0.25},       {rgb(0x555555), 0.1},
           {rgb(0xffffff), 0},          {rgb(0x000000), 0.1},
           {rgb(0x555555), 0.12}};
+}
+
+// Of pages with a picture of the model; a laser would burn it.
+std::vector<Pen> picture_pens(DrawStyle style) {
+  if (style == DrawStyle::Bw)
+    return {{rgb(0xeeeeee), 0, {}, true}, {rgb(0x888888), 0, {}, true}, {rgb(0x333333), 0.04, {}, false, true}};
+  return {{rgb(0xe4e4e4), 0, {}, true}, {rgb(0xf0b429), 0, {}, true}, {rgb(0x888888), 0.04, {}, false, true}};
 }
 
 PenIndex pen_of(Assignment fold) {
@@ -76,6 +97,7 @@ class Drafter {
     if (options.perforation.cut > 0) drawing_.pens[kMountain].dash = drawing_.pens[kValley].dash = {};
     if (paint.empty() || !shows_colors(options)) return;
     add_colors(layout, page, paint, drawing_.pens[kTabFill].color, drawing_);
+    need_picture_pens();
     drawing_.pens.push_back({rgb(0xffffff), 0.1});  // kLight
   }
 
@@ -84,6 +106,7 @@ class Drafter {
       if (part.page == number_) draw_part(part);
     if (options_.shadow_tabs) draw_shadows();
     if (page_.key_form != KeyForm::None) draw_key();
+    if (page_.inset && options_.style != DrawStyle::Laser) draw_inset(*page_.inset);
     put_in_order();
     return std::move(drawing_);
   }
@@ -112,6 +135,11 @@ class Drafter {
       const Vec2 from = a + (rest / 2 + i * (cut + gap)) * along;
       line(layer, pen_of(fold), from, from + cut * along);
     }
+  }
+
+  void need_picture_pens() {
+    if (drawing_.pens.size() > kElsewhere) return;
+    for (Pen& pen : picture_pens(options_.style)) drawing_.pens.push_back(std::move(pen));
   }
 
   void draw_part(const PlacedPart& part) {
@@ -183,6 +211,25 @@ class Drafter {
     if (options_.ruler) draw_ruler();
     if (page_.key_form == KeyForm::Row) draw_legend(page_.ruler + 11, 5.6, page_.ruler + 11, 1.2, 64);
     if (page_.key_form == KeyForm::Stack) draw_legend(1, 17.5, 1, 11.5, page_.ruler);
+  }
+
+  // The inside of the paper is drawn mirrored, but the model is not.
+  void draw_inset(const Inset& inset) {
+    need_picture_pens();
+    const bool mirrored = options_.side != PaperSide::Outside;
+    const double middle = inset.at.x() + inset.size.x() / 2;
+    for (const Inset::Panel& panel : inset.panels) {
+      std::vector<Vec2> corners = panel.corners;
+      if (mirrored)
+        for (Vec2& p : corners) p.x() = 2 * middle - p.x();
+      drawing_.strokes.push_back({Layer::Mark, corners, true, panel.here ? kHere : kElsewhere});
+      drawing_.strokes.push_back({Layer::Mark, std::move(corners), true, kHair});
+    }
+    const double line = (inset.size.y() - inset.size.x()) / static_cast<double>(inset.lines.size());
+    for (std::size_t i = 0; i < inset.lines.size(); ++i) {
+      const Vec2 at = inset.at + Vec2(0, line * (static_cast<double>(inset.lines.size() - i) - 0.75));
+      drawing_.texts.push_back({inset.lines[i], at, 0, 6 * kMillimetresPerPoint, kText});
+    }
   }
 
   void draw_ruler() {

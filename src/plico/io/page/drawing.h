@@ -23,6 +23,7 @@ struct Pen {
   double width = 0.2;                    // millimetres; 0 draws no line
   std::vector<double> dash{};            // millimetres on, off, on, off, ...; empty is solid
   bool fill = false;                     // filled with `color` instead
+  bool to_look_at = false;               // of a picture: left out of DXF files, which are there to cut
 };
 
 struct Stroke {
