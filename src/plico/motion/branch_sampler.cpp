@@ -14,6 +14,8 @@ namespace {
 
 Pose turn_about_x(double angle) { return rotation_about(Vec3::Zero(), Vec3::UnitX(), angle); }
 
+constexpr int kBlock = 16;  // boxes of plates under one box
+
 // Box of some corners, rounded outward.
 struct FloatBox {
   float low[3], high[3];
@@ -24,9 +26,21 @@ struct FloatBox {
         least = std::min(least, corners[i][k]);
         most = std::max(most, corners[i][k]);
       }
-      low[k] = std::nextafter(static_cast<float>(least), -std::numeric_limits<float>::infinity());
-      high[k] = std::nextafter(static_cast<float>(most), std::numeric_limits<float>::infinity());
+      low[k] = static_cast<float>(least) - slack(least);
+      high[k] = static_cast<float>(most) + slack(most);
     }
+  }
+  // Does it meet box i? As numbers: six tests without a branch.
+  bool meets(const std::array<std::vector<float>, 6>& boxes, int i) const {
+    return (int{boxes[0][i] <= high[0]} & int{low[0] <= boxes[3][i]} & int{boxes[1][i] <= high[1]} &
+            int{low[1] <= boxes[4][i]} & int{boxes[2][i] <= high[2]} & int{low[2] <= boxes[5][i]}) != 0;
+  }
+
+ private:
+  // More than what rounding to a float, and this sum, lose.
+  static float slack(double x) {
+    return 2 * std::numeric_limits<float>::epsilon() * static_cast<float>(std::abs(x)) +
+           std::numeric_limits<float>::min();
   }
 };
 
@@ -46,6 +60,21 @@ BranchSampler::BranchSampler(const PanelKit& kit, FoldingLaw law, double clearan
       side_frame_.push_back(frame);
       side_panel_.push_back(p);
     }
+  }
+  find_beyond();
+}
+
+// The twin runs the other way, so its frame is turned by half a turn and begins at the other end.
+void BranchSampler::find_beyond() {
+  for (std::size_t side = 0; side < side_panel_.size(); ++side) {
+    beyond_.push_back(Pose::Identity());
+    if (kit_.twin[side] < 0) continue;
+    const std::vector<Vec2>& outline = kit_.outlines[side_panel_[side]];
+    const std::size_t i = side - kit_.first_side[side_panel_[side]];
+    Pose turned = Pose::Identity();
+    turned.linear().diagonal() << -1, -1, 1;
+    turned.translation() << (outline[(i + 1) % outline.size()] - outline[i]).norm(), 0, 0;
+    beyond_[side] = turned * side_frame_[kit_.twin[side]].inverse();
   }
 }
 
@@ -72,24 +101,42 @@ double BranchSampler::angle_at(int side, double time) const {
   return std::clamp(target, -time * steepest_, time * steepest_);
 }
 
-// The panel over a side lies right of it; raising it to the front (a valley) is a left-handed turn about the side. Its
-// own side runs the other way, so its frame is turned by half a turn and begins at the other end.
+// The panel over a side lies right of it; raising it to the front (a valley) is a left-handed turn about the side.
 Pose BranchSampler::across(int side, double time) const {
-  const int twin = kit_.twin[side];
-  const std::vector<Vec2>& outline = kit_.outlines[side_panel_[side]];
-  const int i = side - kit_.first_side[side_panel_[side]];
-  const double length = (outline[(i + 1) % outline.size()] - outline[i]).norm();
-  Pose turned = Pose::Identity();
-  turned.linear().diagonal() << -1, -1, 1;
-  turned.translation() << length, 0, 0;
-  return side_frame_[side] * turn_about_x(-angle_at(side, time)) * turned * side_frame_[twin].inverse();
+  return side_frame_[side] * turn_about_x(-angle_at(side, time)) * beyond_[side];
 }
 
 void BranchSampler::place_plate(Sample& sample, int plate) const {
   const auto& [panel, first, count] = plates_[plate];
   for (int c = first; c < first + count; ++c) sample.corners[c] = sample.pose[panel] * shape_[c];
   const FloatBox box(&sample.corners[first], count);
-  for (int k = 0; k < 3; ++k) sample.bounds[k][plate] = box.low[k], sample.bounds[k + 3][plate] = box.high[k];
+  const int place = place_[plate];
+  for (int k = 0; k < 3; ++k) sample.boxes[k][place] = box.low[k], sample.boxes[k + 3][place] = box.high[k];
+}
+
+// Numbers the plates along the tree, branch by branch: neighbours there stay close at every moment.
+void BranchSampler::line_up() {
+  hung_since_lining_up_ = 0;
+  plate_at_.clear();
+  queue_.assign(1, {0, -1});
+  while (!queue_.empty()) {
+    const auto [p, entered_by] = queue_.back();
+    queue_.pop_back();
+    for (int i = first_plate_[p]; i < first_plate_[p + 1]; ++i) plate_at_.push_back(i);
+    for (int side = kit_.first_side[p]; side < kit_.first_side[p + 1]; ++side)
+      if (is_joined_[side] && side != entered_by) queue_.emplace_back(side_panel_[kit_.twin[side]], kit_.twin[side]);
+  }
+  place_.resize(plates_.size());
+  for (std::size_t i = 0; i < plate_at_.size(); ++i) place_[plate_at_[i]] = static_cast<int>(i);
+}
+
+void BranchSampler::bound_block(Sample& sample, int block) const {
+  const int first = block * kBlock, end = std::min(first + kBlock, static_cast<int>(plates_.size()));
+  for (int k = 0; k < 3; ++k) {
+    const auto low = sample.boxes[k].begin(), high = sample.boxes[k + 3].begin();
+    sample.blocks[k][block] = *std::min_element(low + first, low + end);
+    sample.blocks[k + 3][block] = *std::max_element(high + first, high + end);
+  }
 }
 
 // Places all panels that hang on `root`, whose pose is known, without crossing its side `barred` (-1: none).
@@ -110,9 +157,12 @@ void BranchSampler::place_from(Sample& sample, int root, int barred) {
 void BranchSampler::place_all(Sample& sample) {
   sample.pose.assign(kit_.num_panels(), Pose::Identity());
   sample.corners.resize(shape_.size());
-  for (auto& bound : sample.bounds) bound.resize(plates_.size());
+  const std::size_t num_blocks = (plates_.size() + kBlock - 1) / kBlock;
+  for (auto& bound : sample.boxes) bound.resize(plates_.size());
+  for (auto& bound : sample.blocks) bound.resize(num_blocks);
   place_from(sample, 0, -1);
   PLICO_ASSERT(static_cast<int>(queue_.size()) == kit_.num_panels());
+  for (std::size_t block = 0; block < num_blocks; ++block) bound_block(sample, static_cast<int>(block));
 }
 
 void BranchSampler::reset(const std::vector<char>& is_joined) {
@@ -120,6 +170,8 @@ void BranchSampler::reset(const std::vector<char>& is_joined) {
   for (std::size_t side = 0; side < is_joined.size(); ++side)
     if (is_joined[side]) is_joined_[kit_.twin[side]] = 1;
   conflicts_.clear();
+  foreseen_.side = -1;
+  line_up();
   for (int k = 0; k < num_samples(); ++k) {
     place_all(samples_[k]);
     find_conflicts(k);
@@ -127,7 +179,8 @@ void BranchSampler::reset(const std::vector<char>& is_joined) {
 }
 
 void BranchSampler::add_sample(double time) {
-  samples_.push_back({time, {}, {}, {}});
+  foreseen_.side = -1;
+  samples_.push_back({time, {}, {}, {}, {}});
   sample_order_.insert(sample_order_.begin(), num_samples() - 1);
   if (is_joined_.empty()) return;
   place_all(samples_.back());
@@ -137,6 +190,7 @@ void BranchSampler::add_sample(double time) {
 void BranchSampler::keep_samples(int most) {
   PLICO_ASSERT(conflicts_.empty());
   if (num_samples() <= most) return;
+  foreseen_.side = -1;
   std::vector<Sample> kept;
   for (int i = 0; i < most; ++i) kept.push_back(std::move(samples_[sample_order_[i]]));
   samples_ = std::move(kept);
@@ -161,16 +215,18 @@ void BranchSampler::find_conflicts(int k) {
   };
   std::vector<int> order(plates_.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
-  const auto& bound = sample.bounds;
+  const Boxes& bound = sample.boxes;
   std::sort(order.begin(), order.end(), [&](int a, int b) { return bound[0][a] < bound[0][b]; });
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const int a = order[i];
+    const int a = order[i], plate_a = plate_at_[a];
     for (std::size_t j = i + 1; j < order.size() && bound[0][order[j]] <= bound[3][a]; ++j) {
-      const int b = order[j], panel_a = plates_[a].panel, panel_b = plates_[b].panel;
+      const int b = order[j], plate_b = plate_at_[b], panel_a = plates_[plate_a].panel,
+                panel_b = plates_[plate_b].panel;
       if (bound[1][b] > bound[4][a] || bound[1][a] > bound[4][b] || bound[2][b] > bound[5][a] ||
           bound[2][a] > bound[5][b] || panel_a == panel_b || joined(panel_a, panel_b))
         continue;
-      if (penetrating(sample, a, &sample.corners[plates_[a].first], sample.pose[panel_a].linear().col(2), b))
+      const Vec3 normal = sample.pose[panel_a].linear().col(2);
+      if (penetrating(sample, plate_a, &sample.corners[plates_[plate_a].first], normal, plate_b))
         conflicts_.push_back({k, panel_a, panel_b});
     }
   }
@@ -193,36 +249,41 @@ Pose BranchSampler::moved_by(const Sample& sample, int side) const {
   return sample.pose[side_panel_[twin]] * across(twin, sample.time) * sample.pose[side_panel_[side]].inverse();
 }
 
+void BranchSampler::move_branch(const Sample& sample, std::span<const int> branch, const Pose& motion) {
+  moved_.clear();
+  for (int panel : branch) {
+    const int first = plates_[first_plate_[panel]].first, last = first_plate_[panel + 1] - 1;
+    for (int c = first; c < plates_[last].first + plates_[last].count; ++c)
+      moved_.push_back(motion * sample.corners[c]);
+  }
+}
+
+void BranchSampler::find_near(const Sample& sample) {
+  const FloatBox all(moved_.data(), static_cast<int>(moved_.size()));
+  near_.clear();
+  for (int block = 0; block < static_cast<int>(sample.blocks[0].size()); ++block) {
+    if (!all.meets(sample.blocks, block)) continue;
+    const int end = std::min((block + 1) * kBlock, static_cast<int>(plates_.size()));
+    for (int i = block * kBlock; i < end; ++i)
+      if (all.meets(sample.boxes, i) && mark_[plates_[plate_at_[i]].panel] != stamp_) near_.push_back(i);
+  }
+}
+
 // Calls found(panel of the branch, panel of the rest) for colliding pairs until it returns true. The branch is marked.
 template <class Found>
 bool BranchSampler::meet(const Sample& sample, std::span<const int> branch, int side, Found found) {
   const Pose motion = moved_by(sample, side);
   const int hinge_in = side_panel_[side], hinge_out = side_panel_[kit_.twin[side]];
-  moved_.clear();
-  for (int panel : branch)
-    for (int i = first_plate_[panel]; i < first_plate_[panel + 1]; ++i)
-      for (int c = 0; c < plates_[i].count; ++c) moved_.push_back(motion * sample.corners[plates_[i].first + c]);
-  const FloatBox all(moved_.data(), static_cast<int>(moved_.size()));
-  near_.clear();
-  const auto& bound = sample.bounds;
-  for (int i = 0; i < static_cast<int>(plates_.size()); ++i) {
-    // As numbers: six tests without a branch.
-    const int close = int{bound[0][i] <= all.high[0]} & int{all.low[0] <= bound[3][i]} &
-                      int{bound[1][i] <= all.high[1]} & int{all.low[1] <= bound[4][i]} &
-                      int{bound[2][i] <= all.high[2]} & int{all.low[2] <= bound[5][i]};
-    if (close != 0 && mark_[plates_[i].panel] != stamp_) near_.push_back(i);
-  }
+  move_branch(sample, branch, motion);
+  find_near(sample);
   const Vec3* corners = moved_.data();
   for (int panel : branch) {
+    const Vec3 normal = motion.linear() * sample.pose[panel].linear().col(2);
     for (int i = first_plate_[panel]; i < first_plate_[panel + 1]; corners += plates_[i].count, ++i) {
       const FloatBox box(corners, plates_[i].count);
-      const Vec3 normal = motion.linear() * sample.pose[panel].linear().col(2);
-      for (int other : near_) {
-        const int close = int{bound[0][other] <= box.high[0]} & int{box.low[0] <= bound[3][other]} &
-                          int{bound[1][other] <= box.high[1]} & int{box.low[1] <= bound[4][other]} &
-                          int{bound[2][other] <= box.high[2]} & int{box.low[2] <= bound[5][other]};
-        if (close == 0) continue;
-        const int other_panel = plates_[other].panel;
+      for (int place : near_) {
+        if (!box.meets(sample.boxes, place)) continue;
+        const int other = plate_at_[place], other_panel = plates_[other].panel;
         if (panel == hinge_in && other_panel == hinge_out) continue;
         if (penetrating(sample, i, corners, normal, other) && found(panel, other_panel)) return true;
       }
@@ -233,35 +294,61 @@ bool BranchSampler::meet(const Sample& sample, std::span<const int> branch, int 
 
 long BranchSampler::conflicts_if_hung(std::span<const int> branch, int side, long limit) {
   mark(branch);
-  long count = 0;
+  foreseen_.side = -1;
+  foreseen_.conflicts.clear();
   for (std::size_t at = 0; at < sample_order_.size(); ++at) {
-    if (!meet(samples_[sample_order_[at]], branch, side, [&](int, int) { return ++count > limit; })) continue;
+    const int k = sample_order_[at];
+    const bool too_many = meet(samples_[k], branch, side, [&](int a, int b) {
+      foreseen_.conflicts.push_back({k, a, b});
+      return static_cast<long>(foreseen_.conflicts.size()) > limit;
+    });
+    if (!too_many) continue;
     if (at > 0) std::swap(sample_order_[at], sample_order_[at / 2]);
-    break;
+    return static_cast<long>(foreseen_.conflicts.size());
   }
-  return count;
+  foreseen_.side = side;
+  foreseen_.branch.assign(branch.begin(), branch.end());
+  return static_cast<long>(foreseen_.conflicts.size());
+}
+
+void BranchSampler::unjoin(std::span<const int> branch) {
+  for (int panel : branch) {
+    for (int s = kit_.first_side[panel]; s < kit_.first_side[panel + 1]; ++s)
+      if (is_joined_[s] && mark_[side_panel_[kit_.twin[s]]] != stamp_) is_joined_[s] = is_joined_[kit_.twin[s]] = 0;
+  }
+}
+
+// Panel by panel along the tree, not by the branch's motion: that would double rounding errors at every hanging.
+void BranchSampler::place_branch(Sample& sample, int side) {
+  const int twin = kit_.twin[side], panel = side_panel_[side];
+  sample.pose[panel] = sample.pose[side_panel_[twin]] * across(twin, sample.time);
+  place_from(sample, panel, side);
+  for (int block : touched_) bound_block(sample, block);
+}
+
+void BranchSampler::find_blocks(std::span<const int> branch) {
+  touched_.clear();
+  for (int panel : branch)
+    for (int i = first_plate_[panel]; i < first_plate_[panel + 1]; ++i) touched_.push_back(place_[i] / kBlock);
+  std::sort(touched_.begin(), touched_.end());
+  touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
 }
 
 void BranchSampler::hang(std::span<const int> branch, int side) {
+  if (foreseen_.side != side || !std::ranges::equal(foreseen_.branch, branch))
+    conflicts_if_hung(branch, side, std::numeric_limits<long>::max());
   mark(branch);
   const auto inside = [&](int panel) { return mark_[panel] == stamp_; };
   std::erase_if(conflicts_, [&](const Conflict& c) { return inside(c.panel_a) != inside(c.panel_b); });
-  for (int panel : branch) {
-    for (int s = kit_.first_side[panel]; s < kit_.first_side[panel + 1]; ++s)
-      if (is_joined_[s] && !inside(side_panel_[kit_.twin[s]])) is_joined_[s] = is_joined_[kit_.twin[s]] = 0;
-  }
+  conflicts_.insert(conflicts_.end(), foreseen_.conflicts.begin(), foreseen_.conflicts.end());
+  foreseen_.side = -1;
+  unjoin(branch);
   is_joined_[side] = is_joined_[kit_.twin[side]] = 1;
-  for (int k = 0; k < num_samples(); ++k) {
-    Sample& sample = samples_[k];
-    meet(sample, branch, side, [&](int a, int b) {
-      conflicts_.push_back({k, a, b});
-      return false;
-    });
-    // Panel by panel along the tree, not by the branch's motion: that would double rounding errors at every hanging.
-    const int twin = kit_.twin[side], panel = side_panel_[side];
-    sample.pose[panel] = sample.pose[side_panel_[twin]] * across(twin, sample.time);
-    place_from(sample, panel, side);
-  }
+  find_blocks(branch);
+  for (Sample& sample : samples_) place_branch(sample, side);
+  if (++hung_since_lining_up_ < kit_.num_panels()) return;
+  line_up();
+  for (Sample& sample : samples_) place_all(sample);
 }
 
 }  // namespace plico

@@ -56,11 +56,12 @@ class BranchSampler {
   void hang(std::span<const int> branch, int side);
 
  private:
+  using Boxes = std::array<std::vector<float>, 6>;  // low x y z, high x y z, rounded outward
   struct Sample {
     double time;
-    std::vector<Pose> pose;                    // of each panel
-    std::vector<Vec3> corners;                 // of all plates
-    std::array<std::vector<float>, 6> bounds;  // of each plate's box: low x y z, high x y z, rounded outward
+    std::vector<Pose> pose;     // of each panel
+    std::vector<Vec3> corners;  // of all plates
+    Boxes boxes, blocks;        // of the plates by place, and of kBlock places in a row
   };
   struct Plate {
     int panel, first, count;
@@ -71,6 +72,14 @@ class BranchSampler {
   void place_all(Sample& sample);
   void place_from(Sample& sample, int root, int barred);
   void place_plate(Sample& sample, int plate) const;
+  void line_up();
+  void bound_block(Sample& sample, int block) const;
+  void find_blocks(std::span<const int> branch);
+  void find_beyond();
+  void move_branch(const Sample& sample, std::span<const int> branch, const Pose& motion);
+  void find_near(const Sample& sample);
+  void unjoin(std::span<const int> branch);
+  void place_branch(Sample& sample, int side);
   void find_conflicts(int sample);
   void mark(std::span<const int> branch);
   Pose moved_by(const Sample& sample, int side) const;
@@ -83,18 +92,27 @@ class BranchSampler {
   double touch_, steepest_ = 0;
   std::vector<Vec3> shape_;  // corners of all plates in their panels' planes
   std::vector<Plate> plates_;
-  std::vector<int> first_plate_;  // panels + 1
-  std::vector<Pose> side_frame_;  // of each side in its panel: origin at its start, x along it
+  std::vector<int> first_plate_;       // panels + 1
+  std::vector<int> place_, plate_at_;  // plates in the order of a walk along the tree, so that blocks are small
+  std::vector<Pose> side_frame_;       // of each side in its panel: origin at its start, x along it
+  std::vector<Pose> beyond_;           // of each side with a twin: the twin's panel seen from the turned frame
   std::vector<int> side_panel_;
   std::vector<char> is_joined_;  // by side, both sides of a pair
   std::vector<Sample> samples_;
   std::vector<int> sample_order_;  // those that refuted a hanging lately come first
   std::vector<Conflict> conflicts_;
   std::vector<int> mark_;
-  int stamp_ = 0;
+  int stamp_ = 0, hung_since_lining_up_ = 0;
+  // What conflicts_if_hung() found last, if it looked at every sample; hang() needs the same.
+  struct Foreseen {
+    int side = -1;
+    std::vector<int> branch;
+    std::vector<Conflict> conflicts;
+  } foreseen_;
   std::vector<Vec3> moved_;                 // corners of the branch where it would hang
   std::vector<std::pair<int, int>> queue_;  // panel, side by which it was entered
-  std::vector<int> near_;                   // plates of the rest close to the branch
+  std::vector<int> touched_;                // blocks that hold plates of the branch
+  std::vector<int> near_;                   // places of plates of the rest close to the branch
 };
 
 }  // namespace plico
