@@ -15,10 +15,10 @@ constexpr int kPollEvery = 256;  // exchanges
 // One chain over one boustrophedon of one height, and how far it gets.
 class Attempt {
  public:
-  Attempt(const SquareGraph& graph, std::vector<int> path, int width, int depth, int symmetry, int height)
+  Attempt(const SquareGraph& graph, std::vector<int> path, const CompactOptions& options, int symmetry, int height)
       : graph_(&graph),
-        exchange_(graph, std::move(path)),
-        fit_(snake(width, depth, symmetry), height, graph.size()),
+        exchange_(graph, std::move(path), options.reach),
+        fit_(snake(options.width, options.depth, symmetry), height, graph.size()),
         panels_(graph.size()) {
     reach_ = look(0);
   }
@@ -103,7 +103,7 @@ struct Search {
   Attempt attempt(int height) {
     std::vector<int> path = random_cut();
     const int symmetry = rng.below(8);
-    return {graph, std::move(path), options.width, options.depth, symmetry, height};
+    return {graph, std::move(path), options, symmetry, height};
   }
   int height() const { return result.best.box.height; }
   bool take(const Attempt& attempt) {

@@ -6,6 +6,7 @@
 //    (PathExchange), and what gets at least as far is kept, until the block is full.
 #pragma once
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "plico/base/run.h"
@@ -23,10 +24,11 @@ struct Stack {
 
 struct CompactOptions {
   std::uint64_t seed = 1;
-  int width = 1, depth = 1;     // of the base in panels, each at least 1
-  int height = 0;               // layers that are low enough; 0: as few as panels / base allows
-  int cuts = 2000;              // looked at, at least 1
-  long exchanges = 10'000'000;  // tried, at least 0
+  int width = 1, depth = 1;                     // of the base in panels, each at least 1
+  int height = 0;                               // layers that are low enough; 0: as few as panels / base allows
+  int cuts = 2000;                              // looked at, at least 1
+  long exchanges = 10'000'000;                  // tried, at least 0
+  int reach = std::numeric_limits<int>::max();  // places by which one exchange moves a square, at most
 };
 
 struct CompactResult {

@@ -46,8 +46,8 @@ Headings strip_headings(const SquareGraph& graph, const std::vector<int>& path) 
   return headings;
 }
 
-PathExchange::PathExchange(const SquareGraph& graph, std::vector<int> path)
-    : graph_(&graph), path_(std::move(path)), place_(path_.size()) {
+PathExchange::PathExchange(const SquareGraph& graph, std::vector<int> path, int reach)
+    : graph_(&graph), reach_(reach), path_(std::move(path)), place_(path_.size()) {
   for (std::size_t i = 0; i < path_.size(); ++i) place_[path_[i]] = static_cast<int>(i);
 }
 
@@ -139,8 +139,14 @@ bool PathExchange::reconnect() {
   return static_cast<int>(squares_.size()) == last + 1 - first_;
 }
 
+bool PathExchange::is_within_reach() const {
+  for (std::size_t i = 0; i < squares_.size(); ++i)
+    if (std::abs(place_[squares_[i]] - first_ - static_cast<int>(i)) > reach_) return false;
+  return true;
+}
+
 int PathExchange::exchange(int start, int fixed, int most, Rng& rng) {
-  if (!walk(start, fixed, most, rng) || removed_.empty() || !reconnect()) return -1;
+  if (!walk(start, fixed, most, rng) || removed_.empty() || !reconnect() || !is_within_reach()) return -1;
   swap();
   return first_;
 }

@@ -2,6 +2,7 @@
 // the result is kept when it still is one path. Only squares behind a chosen place change theirs.
 #pragma once
 #include <array>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -28,8 +29,8 @@ Headings strip_headings(const SquareGraph& graph, const std::vector<int>& path);
 
 class PathExchange {
  public:
-  // `path` visits every square once.
-  PathExchange(const SquareGraph& graph, std::vector<int> path);
+  // `path` visits every square once. No exchange moves a square by more than `reach` places.
+  PathExchange(const SquareGraph& graph, std::vector<int> path, int reach = std::numeric_limits<int>::max());
 
   // Walks at random: takes away an edge near place `start`, adds one of the graph, takes away ... up to `most` times,
   // and closes up. When the result is one path it becomes the path, and the first place with another square is told;
@@ -38,6 +39,9 @@ class PathExchange {
   void undo();  // the last exchange, once
 
   const std::vector<int>& path() const { return path_; }
+  // Of the last exchange, until it is undone: the squares that were there before, from that place on.
+  int first_changed() const { return first_; }
+  const std::vector<int>& squares_before() const { return squares_; }
 
  private:
   struct Edge {
@@ -50,9 +54,11 @@ class PathExchange {
   bool is_removed(int place) const;  // the edge behind it
   std::optional<int> remove_beside(int square, int fixed, Rng& rng);
   bool reconnect();
+  bool is_within_reach() const;
   void swap();
 
   const SquareGraph* graph_;
+  int reach_;
   std::vector<int> path_, place_;
   std::vector<int> removed_;  // places; the edge from each to the next is taken away
   std::vector<Edge> added_;

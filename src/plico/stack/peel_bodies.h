@@ -51,6 +51,8 @@ class PeelBodies {
   const OrientedBox& standing(int panel) const { return standing_[panel]; }
   const RunTree& standing_tree() const { return tree_; }
   const Pose& pose(int panel) const { return pose_[panel]; }
+  // Bodies nearer than that count as touching: what only just passes could not be proven by another's arithmetic.
+  double least_gap() const { return air_ / 10; }
   double pile_angle(int h) const { return (h % 2 ? -sign_ : sign_) * kPi; }
 
   OrientedBox panel(int p) const;  // flat, as the linkage has it

@@ -129,9 +129,10 @@ double PeelWindow::Motion::against(const Vec3& direction) const {
   return lowest;
 }
 
-bool PeelWindow::stays_clear(const OrientedBox& mover, const OrientedBox& other, const Motion& motion) {
-  return gap(mover, other) > motion.total ||
-         is_any_direction(mover, other, [&](const Vec3& d) { return motion.against(d) > highest(other, d); });
+bool PeelWindow::stays_clear(const OrientedBox& mover, const OrientedBox& other, const Motion& motion) const {
+  const double least = bodies_.least_gap();
+  return gap(mover, other) > motion.total + least ||
+         is_any_direction(mover, other, [&](const Vec3& d) { return motion.against(d) > highest(other, d) + least; });
 }
 
 // The hinge keeps the first mover and panel `first` apart.
@@ -139,10 +140,10 @@ int PeelWindow::last_standing(int mover) const { return mover == 0 ? first_ - 1 
 
 bool PeelWindow::is_hit(const Placed& at) const {
   for (const auto& [deep, other] : inner_)
-    if (gap(at.box[deep], at.box[other]) <= 0) return true;
+    if (gap(at.box[deep], at.box[other]) <= bodies_.least_gap()) return true;
   for (int m = 0; m < static_cast<int>(movers_.size()); ++m) {
-    const auto meets = [&](int panel) { return gap(at.box[m], bodies_.standing(panel)) <= 0; };
-    if (bodies_.standing_tree().any_near(at.box[m], 0, last_standing(m), meets)) return true;
+    const auto meets = [&](int panel) { return gap(at.box[m], bodies_.standing(panel)) <= bodies_.least_gap(); };
+    if (bodies_.standing_tree().any_near(at.box[m], bodies_.least_gap(), last_standing(m), meets)) return true;
   }
   return false;
 }
@@ -154,7 +155,8 @@ bool PeelWindow::is_clear(const Interval& interval) const {
   for (int m = 0; m < static_cast<int>(movers_.size()); ++m) {
     const Motion moved = motion(m, 0, interval);
     const auto may_meet = [&](int panel) { return !stays_clear(box[m], bodies_.standing(panel), moved); };
-    if (bodies_.standing_tree().any_near(box[m], moved.total, last_standing(m), may_meet)) return false;
+    if (bodies_.standing_tree().any_near(box[m], moved.total + bodies_.least_gap(), last_standing(m), may_meet))
+      return false;
   }
   return true;
 }

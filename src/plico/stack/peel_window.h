@@ -59,7 +59,7 @@ class PeelWindow {
   void place(const OpenAngles& angles, Placed& placed) const;
   Interval interval(const OpenAngles& from, const OpenAngles& to) const;
   Motion motion(int mover, int below, const Interval& interval) const;
-  static bool stays_clear(const OrientedBox& mover, const OrientedBox& other, const Motion& motion);
+  bool stays_clear(const OrientedBox& mover, const OrientedBox& other, const Motion& motion) const;
   int last_standing(int mover) const;
   bool is_hit(const Placed& placed) const;
   bool is_clear(const Interval& interval) const;

@@ -131,9 +131,13 @@ StackedChain stack_voxels(const VoxelMesh& voxels, const std::vector<int>& cycle
   const SquareGraph graph = graph_of(voxels.shell);
   const StackBox base =
       options.width > 0 ? StackBox{options.width, options.depth, 0} : best_base(graph.size(), options.thickness);
-  const CompactOptions how{
-      .seed = options.seed, .width = base.width, .depth = base.depth, .exchanges = options.exchanges};
-  return stacked_chain(voxels, compact_stack(graph, cycle, is_closed(graph, cycle), how, run), options.thickness);
+  const CompactOptions how{.seed = options.seed,
+                           .width = base.width,
+                           .depth = base.depth,
+                           .exchanges = options.exchanges,
+                           .reach = options.reach};
+  const bool may_be_cut = !options.as_it_runs && is_closed(graph, cycle);
+  return stacked_chain(voxels, compact_stack(graph, cycle, may_be_cut, how, run), options.thickness);
 }
 
 FoldFile chain_file(const ChainClaim& claim) {

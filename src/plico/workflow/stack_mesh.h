@@ -15,6 +15,8 @@ struct StackMeshOptions {
   double thickness = 0.1;                       // of the panels, in voxel sides, in (0, 0.5)
   int width = 0, depth = 0;                     // of the base in panels; 0: the base with the least W + D + H
   long exchanges = CompactOptions().exchanges;  // of squares, tried where cuts alone are not enough
+  int reach = CompactOptions().reach;           // places by which one of them moves a square, at most
+  bool as_it_runs = false;                      // a walk that closes is not cut elsewhere
 };
 
 struct StackedChain {

@@ -1,14 +1,20 @@
 #include "plico/workflow/stack_motion.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 #include "plico/base/error.h"
 #include "plico/stack/chain.h"
+#include "plico/stack/rising_path.h"
 
 namespace plico {
 namespace {
+
+constexpr int kMostFromAnyCycle = 500;          // panels; longer chains get stuck unless they rise
+constexpr long kExchangesOfRising = 3'000'000;  // more would take longer than another chain
+constexpr int kLeastReach = 50;                 // places
 
 // The same stack told from the other end of the chain.
 CompactResult from_the_end(const VoxelMesh& voxels, CompactResult found) {
@@ -40,25 +46,24 @@ class Unpacker {
         stacking_(stacking),
         options_(options),
         run_(run),
-        chains_(options.chains > 0 ? options.chains : std::clamp(20000 / voxels.shell.size(), 5, 40)) {}
+        chains_(options.chains > 0 ? options.chains : std::clamp(20000 / voxels.shell.size(), 6, 40)),
+        directions_(directions_to_rise(voxels.shell)) {}
 
   StackMotion run(const StackedChain& first) {
-    CompactResult found = first.found;
-    do {
-      try_chain(found);
-      ++tries_;
-      if (whole() || run_.over() || !options_.to_shape || tries_ == chains_) break;
-      found = another();
-    } while (true);
+    const bool is_long = voxels_.shell.size() > kMostFromAnyCycle;
+    if (!options_.to_shape || !is_long) try_ways(both_ends(first.found));
+    while (options_.to_shape && !is_done()) try_ways(rising(first.found));
     return result();
   }
 
  private:
-  bool whole() const { return !best_.squares.empty() && best_.peeled.whole; }
+  using Ways = std::vector<CompactResult>;
 
-  void try_chain(const CompactResult& found) {
-    const CompactResult back = from_the_end(voxels_, found);
-    for (const CompactResult& way : {found, back, mirrored(found), mirrored(back)}) {
+  bool whole() const { return !best_.squares.empty() && best_.peeled.whole; }
+  bool is_done() const { return tries_ > 0 && (whole() || run_.over() || tries_ >= chains_); }
+
+  void try_ways(const Ways& ways) {
+    for (const CompactResult& way : ways) {
       run_.report("unpacking", tries_, chains_);
       if (pile_sign(way.best.folds) == 0) continue;
       const StackedChain chain = stacked_chain(voxels_, way, stacking_.thickness);
@@ -68,19 +73,35 @@ class Unpacker {
       if (options_.to_shape) peeled = peel(linkage, pile_sign(way.best.folds), options_.peel, run_);
       if (best_.squares.empty() || peeled.opened > best_.peeled.opened)
         best_ = {way.best.path, chain, std::move(peeled)};
-      if (whole() || run_.over() || !options_.to_shape) return;
+      if (whole() || run_.over() || !options_.to_shape) break;
     }
+    ++tries_;
   }
 
-  // Another cycle, cut where it stacks well, without the exchanges that take the time.
-  CompactResult another() {
-    const std::uint64_t seed = options_.seed + static_cast<std::uint64_t>(tries_);
+  Ways both_ends(const CompactResult& found) const {
+    const CompactResult back = from_the_end(voxels_, found);
+    return {found, back, mirrored(found), mirrored(back)};
+  }
+
+  // A chain that is built from the ground up, in one of six directions in turn, stacked by exchanges that leave it so.
+  Ways rising(const CompactResult& otherwise) {
+    const int panels = voxels_.shell.size();
+    const std::uint64_t seed = options_.seed + static_cast<std::uint64_t>(rising_);
+    const Upwards upwards = directions_[rising_++ % directions_.size()];
     const JudgedCycle cycle = judged_cycle(voxels_, {.seed = seed}, run_);
-    StackMeshOptions quick = stacking_;
-    quick.seed = seed;
-    quick.exchanges = 0;
-    if (cycle.found.ending != Ending::Found) return best_.chain.found;
-    return stack_voxels(voxels_, cycle.found.cycle, quick, run_).found;
+    if (cycle.walk().empty()) return both_ends(otherwise);
+    const std::vector<int> path =
+        rising_path(voxels_.shell, graph_of(voxels_.shell), cycle.walk(), {.seed = seed, .upwards = upwards}, run_);
+    StackMeshOptions stacking = stacking_;
+    stacking.seed = seed;
+    stacking.exchanges = std::min(stacking.exchanges, kExchangesOfRising);
+    stacking.reach = std::max(kLeastReach, panels / 10);
+    stacking.as_it_runs = true;
+    CompactResult found = stack_voxels(voxels_, path, stacking, run_).found;
+    const CompactResult back = from_the_end(voxels_, found);
+    const auto astray = [&](const CompactResult& way) { return places_astray(voxels_.shell, way.best.path, upwards); };
+    if (astray(back) < astray(found)) found = back;
+    return {found, mirrored(found)};
   }
 
   StackMotion result() {
@@ -107,7 +128,8 @@ class Unpacker {
   const StackMotionOptions& options_;
   const Run& run_;
   const int chains_;
-  int tries_ = 0;
+  const std::array<Upwards, 6> directions_;
+  int tries_ = 0, rising_ = 0;  // chains tried; those of them that rise
   Best best_;
 };
 

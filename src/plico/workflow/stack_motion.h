@@ -1,6 +1,6 @@
 // The motion of a stacked chain, from the stack through one pile to the shape: planned, and judged by
-// verify/chain_motion. Stack and motion are searched jointly: a chain that does not peel is cut elsewhere and stacked
-// anew.
+// verify/chain_motion. Stack and motion are searched jointly: a chain that does not peel gives way to one
+// that rises, stacked anew.
 #pragma once
 #include "plico/io/pattern/fold.h"
 #include "plico/stack/unpack.h"
@@ -12,8 +12,8 @@ namespace plico {
 struct StackMotionOptions {
   std::uint64_t seed = 1;
   bool to_shape = true;  // else only to the pile
-  // Chains tried: the given one, then others, each from both ends and upside down. 0: as many as 20,000 panels make, 5
-  // to 40, because long ones take long.
+  // Chains tried: the given one from both ends and upside down, unless it is long, then such as rise (rising_path.h).
+  // 0: as many as 20,000 panels make, 6 to 40, because long ones take long.
   int chains = 0;
   PeelOptions peel = {};
 };
