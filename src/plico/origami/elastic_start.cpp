@@ -88,7 +88,7 @@ ContinuationResult start_elastically(const Linkage& linkage, const ElasticOption
   const ProjectOptions projection = projection_of(linkage, options);
   if (options.keep_sides) {
     ContinuationResult sided = start_within(linkage, elastic, on_their_sides(linkage, projection), options, run);
-    if (sided.path.waypoints.size() > 1) return sided;
+    if (sided.path.waypoints.size() > 1 || !elastic.may_turn_back) return sided;
   }
   return start_within(linkage, elastic, projection, options, run);
 }

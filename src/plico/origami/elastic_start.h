@@ -5,8 +5,9 @@
 namespace plico {
 
 struct ElasticOptions {
-  double share = 0.1;     // of the goal, that the creases are pulled to; in (0, 1]
-  double softest = 1e-9;  // stiffness of the creases at the end, against that of the loops; in (0, 1)
+  double share = 0.1;         // of the goal, that the creases are pulled to; in (0, 1]
+  bool may_turn_back = true;  // when no state keeps all creases on the sides of their goals, take one that does not
+  double softest = 1e-9;      // stiffness of the creases at the end, against that of the loops; in (0, 1)
 };
 
 // Flat is where all ways to fold meet, and near it the loops say nothing to first order. So the creases are pulled to a

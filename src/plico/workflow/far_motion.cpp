@@ -106,9 +106,12 @@ std::string bends_note(const std::vector<double>& bends) {
 // Where no first step out of flat leads far, states pulled to shares of the goal may.
 void start_otherwise(const Linkage& linkage, const ApproachOptions& approach, const Run& run,
                      ContinuationResult& found) {
+  ElasticOptions elastic;
+  elastic.may_turn_back = !approach.keep_sides;
   for (const double share : kPulledTo) {
+    elastic.share = share;
     if (run.over()) return;
-    const ContinuationResult begun = start_elastically(linkage, {.share = share}, approach, run);
+    const ContinuationResult begun = start_elastically(linkage, elastic, approach, run);
     if (begun.path.waypoints.size() < 2) continue;
     ContinuationResult far = approach_goal(linkage, begun.path, approach, run);
     if (far.progress > found.progress) found = std::move(far);
