@@ -1,6 +1,6 @@
 # What the `wasm` preset builds with instead of cmake/dependencies.cmake: headers of Debian's packages, seen without the
 # rest of /usr/include, and three small libraries compiled from Debian's sources (setup/wasm-sources brings them).
-# OMPL, cairo and CaDiCaL are left out: apps/wasm/instead says what stands for them.
+# OMPL, cairo, CaDiCaL, libpng and libjpeg are left out: apps/wasm/instead says what stands for them.
 set(include ${PROJECT_BINARY_DIR}/include)
 file(MAKE_DIRECTORY ${include})
 foreach(header fmt nlohmann CGAL boost)
@@ -14,7 +14,8 @@ endforeach()
 add_library(plico_wasm_headers INTERFACE)
 target_include_directories(plico_wasm_headers SYSTEM INTERFACE ${include})
 target_compile_definitions(plico_wasm_headers INTERFACE FMT_HEADER_ONLY)
-foreach(name cadical Eigen3::Eigen fmt::fmt nlohmann_json::nlohmann_json Threads::Threads PkgConfig::ompl PkgConfig::cairo)
+foreach(name cadical Eigen3::Eigen fmt::fmt nlohmann_json::nlohmann_json Threads::Threads PkgConfig::ompl PkgConfig::cairo
+        PkgConfig::libpng PkgConfig::libjpeg)
   add_library(${name} INTERFACE IMPORTED GLOBAL)
   target_link_libraries(${name} INTERFACE plico_wasm_headers)
 endforeach()

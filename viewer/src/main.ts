@@ -3,7 +3,7 @@ import { Model, type PageData } from './model';
 import { NetView } from './net';
 import { Player } from './player';
 import { Scene, type Look } from './scene';
-import type { Rgb } from './raster';
+import { rgbOf, type Rgb } from './raster';
 import { badge, panelDetails, percent, plainName, rows } from './words';
 
 declare global {
@@ -20,10 +20,7 @@ const kLinksInRow = 5;
 
 function look(): Look {
   const style = getComputedStyle(document.documentElement);
-  const rgb = (name: string): Rgb => {
-    const hex = style.getPropertyValue(name).trim();
-    return [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16)) as unknown as Rgb;
-  };
+  const rgb = (name: string): Rgb => rgbOf(style.getPropertyValue(name).trim());
   return {
     front: rgb('--front'), back: rgb('--back'), ink: rgb('--line'), accent: rgb('--accent'), alarm: rgb('--alarm'),
     mountain: rgb('--mountain'), valley: rgb('--valley'), flat: rgb('--flat'),

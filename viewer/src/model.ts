@@ -14,6 +14,7 @@ export interface PageData {
   seams: [number, number, number, number][]; // panel, side, panel, side
   sideIds: string[][]; // of each side of each panel, as printed; empty when there are no pages
   partOf: string[]; // the letter of each panel's part on the pages; empty when there are none
+  colors?: string[]; // "#rrggbb" of the front of each panel; absent: all alike
   keys: { times: number[]; angles: number[] }[]; // of each hinge, radians; linear in between
   motion: string;
   start: number; // the moment shown first, in [0, 1]

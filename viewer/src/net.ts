@@ -23,6 +23,8 @@ export class NetView {
       for (let i = 0; i < outline.length; i += 2) points.push(`${round(outline[i]!)},${round(-outline[i + 1]!)}`);
       shape.setAttribute('points', points.join(' '));
       shape.dataset['panel'] = String(p);
+      const colour = model.data.colors?.[p];
+      if (colour) shape.style.cssText = `--front: ${colour}; --tint: 0.9`;
       this.shapes.push(shape);
     });
     for (const kind of ['flat', 'valley', 'mountain'] as const) svg.appendChild(this.creases(kind));

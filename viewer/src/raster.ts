@@ -107,6 +107,11 @@ export class Raster {
 
 const kTie = 1e-6; // relative difference of depth below which two things are equally far: rounding
 
+// Of "#rrggbb".
+export function rgbOf(hex: string): Rgb {
+  return [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16)) as unknown as Rgb;
+}
+
 function pack(colour: Rgb, light: number): number {
   return (0xff000000 | ((colour[2] * light) << 16) | ((colour[1] * light) << 8) | (colour[0] * light)) >>> 0;
 }

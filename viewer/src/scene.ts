@@ -1,6 +1,6 @@
 // The folding sheet in space: a camera that goes round it, drawing, and which panel is under the pointer.
 import { apply, kindOf, type Kind, type Model, type Pose } from './model';
-import { Raster, type Rgb } from './raster';
+import { Raster, rgbOf, type Rgb } from './raster';
 import { Surfaces } from './surfaces';
 
 export interface Look {
@@ -48,6 +48,7 @@ export class Scene {
   private readonly buffer = document.createElement('canvas');
   private readonly places: Place[] = [];
   private readonly typicalSide: number;
+  private readonly painted: readonly Rgb[]; // fronts of panels; empty: all alike
   private quality = 1; // of pictures in motion; lowered where drawing is slow
   private pending = 0;
   private idle = 0;
@@ -64,6 +65,7 @@ export class Scene {
   ) {
     for (let i = 0; i <= kMoments; i++) this.places.push(this.placeAt(i / kMoments));
     this.typicalSide = model.typicalSide();
+    this.painted = (model.data.colors ?? []).map(rgbOf);
     this.surfaces = new Surfaces(model.data);
     this.listen();
     new ResizeObserver(() => this.redraw()).observe(canvas);
@@ -229,7 +231,7 @@ export class Scene {
     const key = backward.map((x, i) => x + 0.55 * up[i]! - 0.6 * right[i]!) as Vec;
     const towards = 0.5 + (0.5 * dot(facing, key)) / Math.hypot(...key); // wrapped around: no side is black
     const light = 0.58 + 0.38 * towards * towards + 0.08 * (0.5 + 0.5 * facing[2]);
-    let colour: Rgb = front ? this.look.front : this.look.back;
+    let colour: Rgb = front ? (this.painted[panel] ?? this.look.front) : this.look.back;
     if (hit) colour = mix(colour, this.look.alarm, 0.75);
     if (panel === this.hovered) colour = mix(colour, this.look.accent, 0.45);
     if (panel === this.selected) colour = mix(colour, this.look.accent, 0.8);

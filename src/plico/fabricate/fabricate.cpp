@@ -88,6 +88,20 @@ void require_fit(const std::vector<std::vector<Vec2>>& hulls, const std::vector<
   if (worst >= 0) throw_too_large(worst, factor, scale, shape, options, is_panel);
 }
 
+// In millimetres, with the folds cut that are not to stay.
+Unfolding net_to_print(const Unfolding& model_net, const LayoutOptions& options, LayoutReport& report) {
+  Unfolding net = in_millimetres(model_net, report.scale);
+  if (options.cut_weak_folds) {
+    const std::vector<char> weak = weak_folds(net, 1);
+    report.weak_folds_cut = static_cast<int>(std::ranges::count(weak, 1));
+    if (report.weak_folds_cut > 0) net = cut_folds(net, weak);
+  }
+  if (!options.split || !any_too_large(net, room_without_tabs(options))) return net;
+  const std::vector<char> cuts = cuts_to_fit(NetSides(net), room_without_tabs(options));
+  report.folds_cut = static_cast<int>(std::ranges::count(cuts, 1));
+  return cut_folds(net, cuts);
+}
+
 // Items to place: every part with its tabs.
 std::vector<PlaceItem> place_items(const Unfolding& net, const Tabs& tabs) {
   std::vector<PlaceItem> items(net.num_parts());
@@ -132,7 +146,7 @@ class Assembler {
     }
     for (int f = 0; f < net_.sheet.num_faces(); ++f) {
       const Placement& at = placed_.placements[net_.part[f]];
-      PlacedPanel panel{{}, sides_.edges(f)};
+      PlacedPanel panel{{}, sides_.edges(f), f};
       for (int v : net_.sheet.faces[f]) panel.corners.push_back(at(net_.sheet.vertices[v]));
       parts[net_.part[f]].panels.push_back(std::move(panel));
     }
@@ -260,6 +274,37 @@ std::vector<PartTitle> titles_of(const Unfolding& net, const Unfolding& before, 
   return titles;
 }
 
+// Of each printed part; those that one part was cut into stay together.
+std::vector<int> ranks(const Unfolding& net, const Unfolding& before, const std::vector<int>& rank) {
+  if (rank.empty()) return {};
+  std::vector<int> result(net.num_parts());
+  for (int f = 0; f < net.sheet.num_faces(); ++f) result[net.part[f]] = rank[before.part[f]];
+  return result;
+}
+
+ModelView view_of(const Unfolding& net, const FoldedShape& shape, char up) {
+  ModelView view{{}, up};
+  if (net.mesh_face.size() != net.sheet.faces.size()) return view;
+  for (int face : net.mesh_face) {
+    if (face < 0 || face >= static_cast<int>(shape.faces.size())) return {{}, up};
+    view.panels.push_back(shape.faces[face]);
+  }
+  return view;
+}
+
+// Steps and pictures are for those who have several parts to put together.
+void show_assembly(const NetSides& sides, const Unfolding& model_net, const FoldedShape& shape,
+                   const LayoutOptions& options, PageLayout& layout, LayoutReport& report) {
+  const Unfolding& net = sides.net();
+  if (net.num_parts() < 2) return;
+  report.steps = assembly_order(sides, ranks(net, model_net, options.rank));
+  std::vector<int> step(net.num_parts());
+  for (std::size_t i = 0; i < report.steps.size(); ++i) step[report.steps[i].part] = static_cast<int>(i) + 1;
+  for (PlacedPart& part : layout.parts) part.step = step[part.part];
+  if (options.place.key != KeyWish::All || !options.labels.part_names) return;
+  report.pages_without_picture = add_insets(layout, net, view_of(net, shape, options.size.up), step, Font());
+}
+
 int count_pages_without_ruler(const PageLayout& layout) {
   return static_cast<int>(
       std::ranges::count_if(layout.pages, [](const Page& p) { return p.key_form == KeyForm::None; }));
@@ -293,12 +338,8 @@ LayoutResult lay_out_pages(const Unfolding& model_net, const FoldedShape& shape,
   report.scale = wanted_scale(model_net, shape, options);
   report.final_size = report.scale * shape.size;
 
-  Unfolding net = in_millimetres(model_net, report.scale);
-  if (options.split && any_too_large(net, room_without_tabs(options))) {
-    const std::vector<char> cuts = cuts_to_fit(NetSides(net), room_without_tabs(options));
-    report.folds_cut = static_cast<int>(std::ranges::count(cuts, 1));
-    net = cut_folds(net, cuts);
-  }
+  const Unfolding net = net_to_print(model_net, options, report);
+  report.hands = measure_for_hands(net, 1);
   const NetSides sides(net);
   const Outlines outlines = sides.outlines();
   run.report("making tabs", 0);
@@ -320,9 +361,12 @@ LayoutResult lay_out_pages(const Unfolding& model_net, const FoldedShape& shape,
   layout.has_taped_seams = options.labels.edge_ids && !report.tabs.without.empty();
   layout.parts = Assembler(sides, outlines, report.tabs, placed, shape, titles, options).parts();
   add_marks(layout, sides, outlines, options.marks);
+  show_assembly(sides, model_net, shape, options, layout, report);
   run.report("writing labels", 0);
   report.joints_unnamed = write_joints(layout, options.joints, options.joint, net.part, placed.placements, Font());
   report.edge_ids = seam_names(sides, outlines, report.tabs, titles, options.seams);
+  for (const PlacedPart& part : layout.parts) report.part_names.push_back(part.name);
+  for (const PlacedPart& part : layout.parts) report.page_of_part.push_back(part.page);
   for (const int part : net.part) report.part_of_panel.push_back(titles[part].id);
   report.labels = add_labels(layout, report.edge_ids, Font(), options.labels);
   report.joints_without_hole = draw_joints(layout, options.joints, options.joint, net.part, placed.placements);

@@ -4,6 +4,9 @@
 #include <vector>
 
 #include "plico/base/run.h"
+#include "plico/fabricate/assembly.h"
+#include "plico/fabricate/hand_measures.h"
+#include "plico/fabricate/inset.h"
 #include "plico/fabricate/joints.h"
 #include "plico/fabricate/labels.h"
 #include "plico/fabricate/marks.h"
@@ -27,9 +30,11 @@ struct LayoutOptions {
   LabelOptions labels;
   MarkOptions marks;
   bool split = false;              // cut parts that are too large for a page
+  bool cut_weak_folds = false;     // cut folds that are too short for what hangs on them (hand_measures.h)
   double flat = radians(0.5);      // folds up to this angle count as flat, radians
   std::vector<PartTitle> titles;   // of each part of the net; empty: "A", "B", ...
   std::vector<int> seams;          // number of each sheet edge glued to another part; empty, or 0 of all: numbered here
+  std::vector<int> rank;           // of each part of the net in the order of assembly; empty: by the seams
   std::vector<JointFacet> joints;  // facets that meet facets of other parts
   JointKind joint = JointKind::Glue;
 };
@@ -38,16 +43,22 @@ struct LayoutReport {
   double scale = 1;                // millimetres per unit
   Vec3 final_size = Vec3::Zero();  // of the folded model, millimetres
   int pages = 0, parts = 0;
-  int folds_cut = 0;      // by splitting
+  int folds_cut = 0;  // by splitting
+  int weak_folds_cut = 0;
+  HandMeasures hands;     // of the printed parts
   double fill_ratio = 0;  // parts and tabs over printable area
   Tabs tabs;              // tabs made, shrunk, moved, omitted
   LabelReport labels;
   int joints_unnamed = 0;       // facets of joints that are too small for their text
   int joints_without_hole = 0;  // of rivets, too small for the hole
   int pages_without_ruler = 0;
+  int pages_without_picture = 0;    // of the model, when there are several parts and their places are known
+  std::vector<AssemblyStep> steps;  // of the printed parts, when there are several
   // As printed: of each edge of the net, "" for none; and the letter of the part that each panel is printed in. Edges
   // that splitting made follow after those of the net.
   std::vector<std::string> edge_ids, part_of_panel;
+  std::vector<std::string> part_names;  // of each printed part
+  std::vector<int> page_of_part;        // from 0
 };
 
 struct LayoutResult {

@@ -18,10 +18,31 @@ class HandSurvey {
   HandMeasures run() {
     measure_areas();
     measure_folds();
+    for (int part = 0; part < net_.num_parts(); ++part) bound_weak_folds(part);
     for (int f = 0; f < net_.sheet.num_faces(); ++f) result_.needles += hangs_by_short_side(f);
     for (const auto& part : sides_.outlines())
       for (const auto& loop : part) measure_notches(loop);
     return result_;
+  }
+
+  // From the ends of the branches on: what is cut off is carried by no fold any more.
+  std::vector<char> weak_folds() const {
+    std::vector<char> weak(net_.sheet.num_edges(), 0);
+    std::vector<int> holder, held_by, hangs(net_.sheet.num_faces(), 1), left(net_.num_parts(), 0);
+    const std::vector<int> order = walk(holder, held_by);
+    for (int f : order) ++left[net_.part[f]];
+    for (auto at = order.rbegin(); at != order.rend(); ++at) {
+      if (holder[*at] < 0) continue;
+      int& rest = left[net_.part[*at]];
+      const bool carries = std::min(hangs[*at], rest - hangs[*at]) > kLightBranchPanels;
+      if (carries && side_length(sides_.side(held_by[*at])) < kShortestFold) {
+        weak[held_by[*at]] = 1;
+        rest -= hangs[*at];
+      } else {
+        hangs[holder[*at]] += hangs[*at];
+      }
+    }
+    return weak;
   }
 
  private:
@@ -88,6 +109,71 @@ class HandSurvey {
     }
   }
 
+  // Panels of the same part that share an edge of the shape with this one, by a fold or a seam.
+  template <class Visit>
+  void visit_neighbours(int panel, const Visit& visit) const {
+    for (int i = 0; i < static_cast<int>(sides_.edges(panel).size()); ++i) {
+      const int e = sides_.edge(panel, i);
+      const int first = sides_.side(e).panel;
+      int other = first == panel ? sides_.second_side(e).panel : first;
+      if (!sides_.is_fold(e)) other = net_.mate[e] >= 0 ? sides_.side(net_.mate[e]).panel : -1;
+      if (other >= 0 && other != panel && net_.part[other] == net_.part[panel]) visit(other, side_length({panel, i}));
+    }
+  }
+
+  // Pieces of a part that hang together by edges of kShortestFold and more, numbered.
+  std::vector<int> strong_pieces() const {
+    std::vector<int> piece(net_.sheet.num_faces(), -1);
+    for (int first = 0, count = 0; first < net_.sheet.num_faces(); ++first) {
+      if (piece[first] >= 0) continue;
+      piece[first] = count;
+      for (std::vector<int> open{first}; !open.empty();) {
+        const int at = open.back();
+        open.pop_back();
+        visit_neighbours(at, [&](int other, double length) {
+          if (length < kShortestFold || piece[other] >= 0) return;
+          piece[other] = count;
+          open.push_back(other);
+        });
+      }
+      ++count;
+    }
+    return piece;
+  }
+
+  std::vector<int> pieces_within_light_branch(int panel, const std::vector<int>& piece) const {
+    std::vector<int> reached{panel};
+    for (int step = 0; step < kLightBranchPanels; ++step)
+      for (std::size_t i = 0, n = reached.size(); i < n; ++i)
+        visit_neighbours(reached[i], [&](int other, double) { reached.push_back(other); });
+    for (int& at : reached) at = piece[at];
+    std::sort(reached.begin(), reached.end());
+    reached.erase(std::unique(reached.begin(), reached.end()), reached.end());
+    return reached;
+  }
+
+  // Cut a net at its weak folds, and each of what is left is one strong piece, or some of it, with light branches:
+  // every panel is within kLightBranchPanels steps of such a piece. Panels that have none of these pieces in common
+  // need one each, and a weak fold between any two.
+  void bound_weak_folds(int part) {
+    std::vector<int> panels;
+    for (int f = 0; f < net_.sheet.num_faces(); ++f)
+      if (net_.part[f] == part) panels.push_back(f);
+    if (static_cast<int>(panels.size()) < 2 * (kLightBranchPanels + 1)) return;  // no fold carries anything
+    if (strong_.empty()) strong_ = strong_pieces();
+    std::vector<std::vector<int>> near;
+    for (int f : panels) near.push_back(pieces_within_light_branch(f, strong_));
+    std::stable_sort(near.begin(), near.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
+    std::vector<char> taken(net_.sheet.num_faces(), 0);
+    int apart = 0;
+    for (const std::vector<int>& pieces : near) {
+      if (std::any_of(pieces.begin(), pieces.end(), [&](int p) { return taken[p] != 0; })) continue;
+      for (int p : pieces) taken[p] = 1;
+      ++apart;
+    }
+    result_.least_weak += apart - 1;
+  }
+
   bool hangs_by_short_side(int panel) const {
     const int n = static_cast<int>(sides_.edges(panel).size());
     double least = 0, most = 0, joinable = 0, folded = 0;
@@ -117,6 +203,7 @@ class HandSurvey {
   const Unfolding& net_;
   const NetSides sides_;
   const double scale_;
+  std::vector<int> strong_;  // piece of each panel, once it is asked for
   HandMeasures result_;
 };
 
@@ -124,11 +211,14 @@ class HandSurvey {
 
 HandMeasures measure_for_hands(const Unfolding& net, double scale) { return HandSurvey(net, scale).run(); }
 
+std::vector<char> weak_folds(const Unfolding& net, double scale) { return HandSurvey(net, scale).weak_folds(); }
+
 nlohmann::json json_of(const HandMeasures& m) {
   return {{"area_over_hull", m.hull_area > 0 ? m.net_area / m.hull_area : 1},
           {"area_over_hull_worst_part", m.emptiest},
           {"shortest_carrying_fold_mm", m.shortest_carrying},
           {"folds_under_5_mm_that_carry_a_branch", m.weak},
+          {"no_net_has_fewer_than", m.least_weak},
           {"needles_by_their_short_side", m.needles},
           {"seams_in_tight_corners", m.tight_seams}};
 }

@@ -70,6 +70,10 @@ class Labeller {
 
   void take_key(int page) {
     const Page& p = layout_.pages[page];
+    if (p.inset) {
+      const Box b = box_around(p.inset->at + p.inset->size / 2, 0, p.inset->size);
+      paper_.add({b.begin(), b.end()}, page);
+    }
     if (p.key_form == KeyForm::None) return;
     Vec2 size = key_size(p.key_form, p.ruler);
     if (!p.key_upright) std::swap(size.x(), size.y());
@@ -103,7 +107,10 @@ class Labeller {
     for (const PlacedPanel& panel : part.panels) panels.push_back(&panel);
     std::ranges::stable_sort(panels, std::greater<>(), [](const PlacedPanel* p) { return signed_area(p->corners); });
     if (panels.size() > 8) panels.resize(8);
+    const std::string step = part.step > 0 ? fmt::format(", step {}", part.step) : "";
+    if (!part.title.empty() && write_large(part, panels, fmt::format("{} {}{}", part.name, part.title, step))) return;
     if (!part.title.empty() && write_large(part, panels, fmt::format("{} {}", part.name, part.title))) return;
+    if (!step.empty() && write_large(part, panels, part.name + step)) return;
     write_large(part, panels, part.name);
   }
 

@@ -89,8 +89,12 @@ Vec2 paper_size(std::string_view name) {
 }
 
 FoldedShape folded_shape(const Mesh& mesh) {
-  FoldedShape shape{bounding_box(mesh).sizes(), std::vector<double>(mesh.num_edges())};
+  FoldedShape shape{bounding_box(mesh).sizes(), std::vector<double>(mesh.num_edges()), {}};
   for (EdgeId e : mesh.edges()) shape.seam_angle[e] = fold_angle(mesh, e);
+  for (FaceId f : mesh.faces()) {
+    std::vector<Vec3>& corners = shape.faces.emplace_back();
+    for (HalfedgeId h : mesh.halfedges(f)) corners.push_back(mesh.point(mesh.from(h)));
+  }
   return shape;
 }
 

@@ -28,8 +28,9 @@ Margins parse_margins(std::string_view text);
 
 // What the finished model is like: how large, and how far each sheet edge is folded when its seam is glued.
 struct FoldedShape {
-  Vec3 size = Vec3::Zero();        // of its bounding box, in the net's unit
-  std::vector<double> seam_angle;  // of each mesh edge, radians, valley > 0 > mountain; empty when not known
+  Vec3 size = Vec3::Zero();              // of its bounding box, in the net's unit
+  std::vector<double> seam_angle;        // of each mesh edge, radians, valley > 0 > mountain; empty when not known
+  std::vector<std::vector<Vec3>> faces;  // corners of each mesh face; empty when not known
 };
 FoldedShape folded_shape(const Mesh& mesh);
 

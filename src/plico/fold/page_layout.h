@@ -2,6 +2,7 @@
 // page has its origin at the lower left corner and y upwards, so a sheet seen from the front is never mirrored.
 #pragma once
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ namespace plico {
 struct PlacedPanel {
   std::vector<Vec2> corners;  // counter-clockwise
   std::vector<int> edges;
+  int panel = -1;  // of the net
 };
 
 // A glue flap: base from a to b on its edge, in the direction that its panel has it (counter-clockwise), tip outside.
@@ -50,6 +52,7 @@ struct PlacedPart {
   std::string name;   // "A", "B", ... as in the labels
   std::string title;  // a name to read, "head"; may be empty
   int page = 0;
+  int step = 0;                             // when it is glued to the others, from 1; 0 when there are none
   std::vector<std::vector<Vec2>> outlines;  // closed, with the tabs; the outer one is counter-clockwise
   std::vector<PlacedPanel> panels;
   std::vector<Tab> tabs;
@@ -72,12 +75,24 @@ struct Margins {
 // How the block with the legend and the ruler is arranged.
 enum class KeyForm { Row, Stack, RulerOnly, None };
 
+// A small picture of the finished model, and lines of text below it.
+struct Inset {
+  struct Panel {
+    std::vector<Vec2> corners;
+    bool here = false;  // of a part on this page
+  };
+  Vec2 at = Vec2::Zero(), size = Vec2::Zero();  // lower left corner, and all that it takes
+  std::vector<Panel> panels;                    // later ones lie over earlier ones
+  std::vector<std::string> lines;
+};
+
 struct Page {
   Vec2 size = Vec2::Zero();
   KeyForm key_form = KeyForm::None;
   Vec2 key_at = Vec2::Zero();  // lower left corner of the block
   bool key_upright = true;     // false: turned left by 90 degrees
   double ruler = 100;          // millimetres
+  std::optional<Inset> inset = {};
 };
 
 struct PageLayout {

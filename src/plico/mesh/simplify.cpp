@@ -11,8 +11,8 @@
 #include <tuple>
 
 #include "plico/base/error.h"
-#include "plico/geom/box_tree.h"
 #include "plico/mesh/measures.h"
+#include "plico/mesh/point_distance.h"
 #include "plico/mesh/triangulate.h"
 
 namespace plico {
@@ -40,6 +40,16 @@ struct Quadric {
     b += o.b;
     c += o.c;
   }
+  // That of the image: its value at a point is that of this one at the point's image.
+  Quadric mirrored(const MirrorPlane& plane) const {
+    const Eigen::Matrix3d turn = Eigen::Matrix3d::Identity() - 2 * plane.across * plane.across.transpose();
+    const Vec3 shift = plane.image(Vec3::Zero());
+    Quadric image;
+    image.a = turn * a * turn;
+    image.b = turn * (b - a * shift);
+    image.c = c - 2 * b.dot(shift) + shift.dot(a * shift);
+    return image;
+  }
   double operator()(const Vec3& x) const { return x.dot(a * x) - 2 * b.dot(x) + c; }
 };
 
@@ -66,8 +76,11 @@ using Triangle = std::array<int, 3>;
 
 class Simplifier {
  public:
-  Simplifier(const Mesh& mesh, double evenness)
-      : points_(mesh.soup().points),
+  // With a plane, vertices on it stay on it, each in one place of the seam with the image (with_image()).
+  Simplifier(const Mesh& mesh, double evenness, const MirrorPlane* plane = nullptr, std::vector<char> on_plane = {})
+      : plane_(plane),
+        on_plane_(plane ? std::move(on_plane) : std::vector<char>(mesh.num_vertices(), 0)),
+        points_(mesh.soup().points),
         faces_of_(mesh.num_vertices()),
         quadric_(mesh.num_vertices()),
         version_(mesh.num_vertices(), 0),
@@ -82,9 +95,15 @@ class Simplifier {
         quadric_[v].add_point(points_[v], area(mesh, f) * center_weight);
       }
     }
+    for (int v = 0; v < mesh.num_vertices(); ++v)
+      if (on_plane_[v]) quadric_[v].add(quadric_[v].mirrored(*plane_));
     num_faces_ = mesh.num_faces();
-    for (EdgeId e : mesh.edges())
-      if (mesh.is_boundary(e)) hold_boundary(mesh, mesh.halfedge(e));
+    for (EdgeId e : mesh.edges()) {
+      if (!mesh.is_boundary(e)) continue;
+      const HalfedgeId h = mesh.halfedge(e);
+      on_boundary_[mesh.from(h)] = on_boundary_[mesh.to(h)] = 1;
+      if (!on_plane_[mesh.from(h)] || !on_plane_[mesh.to(h)]) hold_boundary(mesh, h);
+    }
   }
 
   void reduce_to(int target) {
@@ -109,8 +128,10 @@ class Simplifier {
     }
   }
 
-  PolygonSoup soup() const {
-    PolygonSoup soup;
+  // With the vertices that lie on the plane, when there is one.
+  HalfMesh result() const {
+    HalfMesh half;
+    PolygonSoup& soup = half.soup;
     std::vector<int> number(points_.size(), -1);
     for (const Triangle& t : faces_) {
       if (t[0] < 0) continue;
@@ -118,10 +139,11 @@ class Simplifier {
         if (number[v] >= 0) continue;
         number[v] = soup.num_points();
         soup.points.push_back(points_[v]);
+        half.on_plane.push_back(on_plane_[v]);
       }
       soup.add_face({number[t[0]], number[t[1]], number[t[2]]});
     }
-    return soup;
+    return half;
   }
 
  private:
@@ -130,17 +152,36 @@ class Simplifier {
     const Vec3& from = mesh.point(mesh.from(h));
     const Vec3 along = mesh.point(mesh.to(h)) - from;
     const Vec3 across = along.cross(normal(mesh, mesh.face(h))).normalized();
-    for (VertexId v : {mesh.from(h), mesh.to(h)}) {
-      on_boundary_[v] = 1;
+    for (VertexId v : {mesh.from(h), mesh.to(h)})
       quadric_[v].add_plane(across, from, kBoundaryWeight * along.squaredNorm());
-    }
   }
 
   void offer(int u, int v) {
     if (u > v) std::swap(u, v);
+    const Quadric q = joined(u, v);
+    queue_.push({q(replacement(q, u, v)), u, v, version_[u], version_[v]});
+  }
+
+  // What a vertex of the half brings to the plane, its image brings, too.
+  Quadric joined(int u, int v) const {
     Quadric q = quadric_[u];
     q.add(quadric_[v]);
-    queue_.push({q(best_point(q, u, v)), u, v, version_[u], version_[v]});
+    if (on_plane_[u] != on_plane_[v]) q.add(quadric_[on_plane_[u] ? v : u].mirrored(*plane_));
+    return q;
+  }
+
+  Vec3 replacement(const Quadric& q, int u, int v) const {
+    const Vec3 best = best_point(q, u, v);
+    return on_plane_[u] || on_plane_[v] ? plane_->foot(best) : best;
+  }
+
+  // Edges between vertices on the plane lie on the seam; another one would coincide with its image.
+  bool keeps_seam(int u, int v) {
+    if (on_plane_[u] == on_plane_[v]) return true;
+    const int off = on_plane_[u] ? v : u, on = on_plane_[u] ? u : v;
+    for (int w : neighbors(off, around_v_))
+      if (w != on && on_plane_[w] && num_faces_between(on, w) != 1) return false;
+    return true;
   }
 
   // Where the two vertices are best replaced; their middle when the quadric does not say, or says far away.
@@ -159,10 +200,9 @@ class Simplifier {
     const Candidate next = queue_.top();
     queue_.pop();
     const auto [cost, u, v, version_u, version_v] = next;
-    if (version_[u] != version_u || version_[v] != version_v || !keeps_topology(u, v)) return;
-    Quadric q = quadric_[u];
-    q.add(quadric_[v]);
-    const Vec3 at = best_point(q, u, v);
+    if (version_[u] != version_u || version_[v] != version_v || !keeps_topology(u, v) || !keeps_seam(u, v)) return;
+    const Quadric q = joined(u, v);
+    const Vec3 at = replacement(q, u, v);
     if (!keeps_shape(u, v, at) || !keeps_shape(v, u, at)) return;
     collapse(u, v, at);
     quadric_[u] = q;
@@ -252,7 +292,7 @@ class Simplifier {
         !alike(doubled_area(two), before) || faces_of_[u].size() <= 3 || faces_of_[v].size() <= 3)
       return;
     neighbors(a, around_u_);
-    if (std::binary_search(around_u_.begin(), around_u_.end(), b)) return;
+    if (std::binary_search(around_u_.begin(), around_u_.end(), b) || (on_plane_[a] && on_plane_[b])) return;
     faces_[f] = one;
     faces_[g] = two;
     std::erase(faces_of_[u], g);
@@ -307,6 +347,7 @@ class Simplifier {
     faces_of_[v].clear();
     points_[u] = at;
     on_boundary_[u] = on_boundary_[u] || on_boundary_[v];
+    on_plane_[u] = on_plane_[u] || on_plane_[v];
     ++version_[v];
   }
 
@@ -321,6 +362,8 @@ class Simplifier {
     }
   }
 
+  const MirrorPlane* plane_;
+  std::vector<char> on_plane_;
   std::vector<Vec3> points_;
   std::vector<Triangle> faces_;  // {-1, -1, -1} when gone
   std::vector<std::vector<int>> faces_of_;
@@ -349,7 +392,19 @@ PolygonSoup simplified(const Mesh& mesh, const SimplifyOptions& options) {
   Simplifier simplifier(mesh, options.evenness);
   simplifier.reduce_to(is_closed(mesh) ? options.faces / 2 * 2 : options.faces);
   simplifier.even_out(kEveningRounds, options.keep_sharp);
-  return simplifier.soup();
+  return simplifier.result().soup;
+}
+
+std::optional<PolygonSoup> simplified_alike(const Mesh& mesh, const MirrorPlane& plane,
+                                            const SimplifyOptions& options) {
+  check(options);
+  std::optional<HalfMesh> half = upper_half(mesh, plane);
+  if (!half) return {};
+  const Mesh upper(half->soup);
+  Simplifier simplifier(upper, options.evenness, &plane, half->on_plane);
+  simplifier.reduce_to(options.faces / 2);
+  simplifier.even_out(kEveningRounds, options.keep_sharp);
+  return with_image(simplifier.result(), plane);
 }
 
 PolygonSoup triangulated(const PolygonSoup& soup) {
@@ -362,39 +417,14 @@ PolygonSoup triangulated(const PolygonSoup& soup) {
 
 namespace {
 
-// Of a point from a triangle (Ericson 2005, 5.1.5, by the regions of its corners, edges and face).
-double distance_to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const auto to_segment = [&](const Vec3& u, const Vec3& v) {
-    const Vec3 along = v - u;
-    const double length = along.squaredNorm();
-    const double t = length > 0 ? std::clamp((p - u).dot(along) / length, 0.0, 1.0) : 0;
-    return (p - u - t * along).norm();
-  };
-  const Vec3 n = (b - a).cross(c - a);
-  const bool above = n.squaredNorm() > 0 && n.dot((b - a).cross(p - a)) >= 0 && n.dot((c - b).cross(p - b)) >= 0 &&
-                     n.dot((a - c).cross(p - c)) >= 0;
-  if (above) return std::abs(n.dot(p - a)) / n.norm();
-  return std::min({to_segment(a, b), to_segment(b, c), to_segment(c, a)});
-}
-
 double farthest_vertex(const PolygonSoup& from, const PolygonSoup& to) {
-  std::vector<Eigen::AlignedBox3d> boxes;
-  for (int f = 0; f < to.num_faces(); ++f) {
-    Eigen::AlignedBox3d box;
-    for (int v : to.face(f)) box.extend(to.points[v]);
-    boxes.push_back(box);
-  }
-  const BoxTree tree(boxes);
+  const SurfaceDistance distance(to);
   std::vector<char> used(from.points.size(), 0);
   for (int v : from.corners) used[v] = 1;
   double farthest = 0;
   for (int v = 0; v < from.num_points(); ++v) {
     if (!used[v]) continue;
-    const Vec3& p = from.points[v];
-    farthest = std::max(farthest, tree.nearest(p, [&](int f) {
-      const auto t = to.face(f);
-      return distance_to_triangle(p, to.points[t[0]], to.points[t[1]], to.points[t[2]]);
-    }));
+    farthest = std::max(farthest, distance(from.points[v]));
   }
   return farthest;
 }

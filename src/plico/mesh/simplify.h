@@ -1,7 +1,10 @@
 // Fewer triangles for the same shape. Source: M. Garland and P. Heckbert, Surface Simplification Using Quadric Error
 // Metrics (1997).
 #pragma once
+#include <optional>
+
 #include "plico/mesh/mesh.h"
+#include "plico/mesh/mirror_plane.h"
 
 namespace plico {
 
@@ -19,6 +22,11 @@ void check(const SimplifyOptions& options);  // throws InvalidOption
 // can be collapsed. Boundaries are held by planes through their edges. Ties by vertex number. It may cross itself where
 // the shape was thin. Throws InvalidInput for polygons (triangulated() cuts them). O(n log n).
 PolygonSoup simplified(const Mesh& mesh, const SimplifyOptions& options = {});
+
+// One half is simplified, and comes with its image: left and right are equal, triangle by triangle. Vertices on the
+// plane stay on it. None when the mesh cannot be halved; throws InvalidInput when a half is no mesh.
+std::optional<PolygonSoup> simplified_alike(const Mesh& mesh, const MirrorPlane& plane,
+                                            const SimplifyOptions& options = {});
 
 // The same surface with every polygon cut into triangles.
 PolygonSoup triangulated(const PolygonSoup& soup);

@@ -65,9 +65,28 @@ double steadiness(const Mesh& mesh, int up) {
   return base.size() > 2 && floor > 0 ? signed_area(base) / floor : 0;
 }
 
+// Several pieces begin at one height and end at different ones, as things do that stand on a table.
+bool share_only_the_floor(const Mesh& mesh, const Components& pieces, int up) {
+  std::vector<Eigen::AlignedBox1d> range(pieces.count);
+  for (FaceId f : mesh.faces())
+    for (HalfedgeId h : mesh.halfedges(f))
+      range[pieces.of_face[f]].extend(Eigen::Matrix<double, 1, 1>(mesh.point(mesh.from(h))[up]));
+  Eigen::AlignedBox1d floor, top;
+  for (const Eigen::AlignedBox1d& r : range) {
+    floor.extend(r.min());
+    top.extend(r.max());
+  }
+  const double least = kLowest * (top.max()[0] - floor.min()[0]);
+  return floor.sizes()[0] <= least && top.sizes()[0] > least;
+}
+
 }  // namespace
 
 char guessed_up(const Mesh& mesh) {
+  if (const Components pieces = components(mesh); pieces.count > 1) {
+    const bool along_y = share_only_the_floor(mesh, pieces, 1), along_z = share_only_the_floor(mesh, pieces, 2);
+    if (along_y != along_z) return along_z ? 'z' : 'y';
+  }
   const Vec3 odd = odd_moments(mesh);
   const auto only_first_is_even = [](double a, double b) {
     return a < kSymmetric && b > kLopsided && a < kClearly * b;

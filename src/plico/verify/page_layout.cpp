@@ -87,6 +87,10 @@ class Judge {
       for (const PlacedPanel& panel : part.panels) add(panel.corners, part.part);
       for (const Tab& tab : part.tabs) add(counter_clockwise(tab), part.part);
     }
+    if (const auto& inset = layout_.pages[page].inset) {
+      const Vec2 low = inset->at, high = low + inset->size;
+      add({low, {high.x(), low.y()}, high, {low.x(), high.y()}}, -1);
+    }
     const Overlaps overlaps = find_overlaps(all);
     verdict_.overlaps += overlaps.count;
     for (const OverlappingPair& pair : overlaps.listed)

@@ -7,7 +7,6 @@
 
 #include "plico/base/error.h"
 #include "plico/base/version.h"
-#include "plico/fabricate/hand_measures.h"
 #include "plico/fabricate/net_sides.h"
 #include "plico/io/motion/png.h"
 #include "plico/io/motion/viewer.h"
@@ -15,6 +14,7 @@
 #include "plico/io/page/pdf.h"
 #include "plico/io/page/svg.h"
 #include "plico/io/pattern/fold.h"
+#include "plico/io/pattern/fold_colors.h"
 #include "plico/mesh/measures.h"
 #include "plico/segment/given.h"
 #include "plico/verify/joints.h"
@@ -166,16 +166,23 @@ void find_net_that_folds(const Mesh& mesh, const CraftOptions& options, const Ru
   result.motion = std::move(found.motion);
 }
 
-void find_net(const Mesh& mesh, const CraftOptions& options, const Run& run, CraftResult& result) {
+// Where no motion is wanted, or none exists, nothing holds a better net back.
+UnfoldOutcome unfold_for_hands(const Mesh& mesh, const CraftOptions& options, const Run& run) {
   UnfoldOutcome unfolded = unfold_mesh(mesh, options.unfold, run);
-  if (!options.law && unfolded.ending == Ending::Found && may_improve(options, mesh)) {
-    UnfoldOptions better = options.unfold;
-    better.optimize = better_for(options, mesh, printed_scale(options, mesh, unfolded.unfolding));
-    unfolded = unfold_mesh(mesh, better, run);
-  }
+  if (unfolded.ending != Ending::Found || !may_improve(options, mesh)) return unfolded;
+  UnfoldOptions better = options.unfold;
+  better.optimize = better_for(options, mesh, printed_scale(options, mesh, unfolded.unfolding));
+  return unfold_mesh(mesh, better, run);
+}
+
+void take(UnfoldOutcome unfolded, CraftResult& result) {
   result.ending = unfolded.ending;
   result.net = std::move(unfolded.unfolding);
   result.verdict = std::move(unfolded.verdict);
+}
+
+void find_net(const Mesh& mesh, const CraftOptions& options, const Run& run, CraftResult& result) {
+  take(options.law ? unfold_mesh(mesh, options.unfold, run) : unfold_for_hands(mesh, options, run), result);
   if (!options.law)
     result.why_no_motion = "none was asked for";
   else if (mesh.num_faces() == 1)
@@ -184,12 +191,14 @@ void find_net(const Mesh& mesh, const CraftOptions& options, const Run& run, Cra
     result.why_no_motion = "there is no net in one piece";
   else
     find_net_that_folds(mesh, options, run, result);
+  if (options.law && !result.motion && !run.over()) take(unfold_for_hands(mesh, options, run), result);
   improve_net(mesh, options, run, result);
 }
 
 std::string fold_text(const Mesh& mesh, const CraftOptions& options, const CraftResult& result) {
   FoldFile file = result.kit ? parts_file(mesh, *result.kit) : fold_file(mesh, result.net);
   file.report = options.made_by;
+  set_colors(file, panel_colors(result.paint));
   if (result.motion && !result.kit) set_path(file, linkage_of(result.net), result.motion->path);
   return write_fold(file);
 }
@@ -223,6 +232,7 @@ std::string page_text(const Mesh& mesh, const CraftOptions& options, const Craft
     page.home = standing(assembled(mesh, result.net), options.layout.size.up);
   page.part_of_panel = result.layout.report.part_of_panel;
   page.side_ids = side_ids(result);
+  page.colors = panel_colors(result.paint);
   if (result.motion) {
     const PathProof& proof = result.motion->proof;
     page.path = result.motion->path;
@@ -240,7 +250,7 @@ std::string page_text(const Mesh& mesh, const CraftOptions& options, const Craft
 void add_pages(const CraftOptions& options, CraftResult& result) {
   DrawOptions how = options.draw;
   if (how.title.empty()) how.title = options.name;
-  const std::vector<Drawing> pages = draw(result.layout.layout, how);
+  const std::vector<Drawing> pages = draw(result.layout.layout, how, result.paint);
   result.files.push_back({options.name + ".pdf", write_pdf(pages, how.title, fmt::format("plico {}", version()))});
   for (std::size_t i = 0; i < pages.size(); ++i) {
     const std::string stem = pages.size() == 1 ? options.name : fmt::format("{}-{}", options.name, i + 1);
@@ -255,6 +265,7 @@ void add_pictures(const Mesh& mesh, const CraftOptions& options, CraftResult& re
   PictureOptions picture;
   picture.width = 900;
   picture.height = 700;
+  picture.colors = panel_colors(result.paint);
   picture.home = standing(assembled(mesh, result.net), options.layout.size.up);
   result.files.push_back({options.name + "-assembled.png", render_png(linkage, goal(linkage), picture)});
   picture.home = standing(exploded(mesh, *result.kit), options.layout.size.up);
@@ -268,12 +279,32 @@ void add_drawings(const Mesh& mesh, const CraftOptions& options, const Run& run,
   if (result.kit) {
     layout.titles = part_titles(result.kit->parts.names, result.kit->pieces);
     layout.seams = seams_of(mesh, *result.kit);
+    layout.rank = assembly_steps(mesh, result.kit->parts, result.kit->joints);
     layout.joints = joint_facets(mesh, result.net, result.kit->joints, result.kit->pieces, layout.titles);
   }
   result.layout = lay_out_pages(result.net, folded_shape(mesh), layout, run);
   result.layout_verdict = verify_layout(result.layout.layout);
+  result.paint = panel_paint(mesh, result.net, options.paint);
   add_pages(options, result);
   if (is_put_together(result)) add_pictures(mesh, options, result);
+}
+
+// "step 2": "C on page 1, onto A and B". Numbers have one width, so that they sort.
+nlohmann::json assembly_json(const LayoutReport& layout) {
+  nlohmann::json steps = nlohmann::json::object();
+  const int digits = layout.steps.size() < 10 ? 1 : layout.steps.size() < 100 ? 2 : 4;
+  for (std::size_t i = 0; i < layout.steps.size(); ++i) {
+    const AssemblyStep& step = layout.steps[i];
+    std::string text = fmt::format("{} on page {}", layout.part_names[step.part], layout.page_of_part[step.part] + 1);
+    for (std::size_t k = 0; k < step.onto.size(); ++k)
+      text += fmt::format("{}{}",
+                          k == 0                     ? ", onto "
+                          : k + 1 < step.onto.size() ? ", "
+                                                     : " and ",
+                          layout.part_names[step.onto[k]]);
+    steps[fmt::format("step {:0{}}", i + 1, digits)] = std::move(text);
+  }
+  return steps;
 }
 
 void report_pages(const CraftResult& result, nlohmann::json& report) {
@@ -289,7 +320,9 @@ void report_pages(const CraftResult& result, nlohmann::json& report) {
   report["edges_under_5_mm"] = work.small;
   report["seams_without_tab"] = layout.tabs.omitted + layout.tabs.short_seams;
   report["pages_verified"] = result.layout_verdict.sound();
-  report["hands"] = json_of(measure_for_hands(result.net, layout.scale));
+  if (!layout.steps.empty()) report["assembly"] = assembly_json(layout);
+  report["weak_folds_cut"] = layout.weak_folds_cut;
+  report["hands"] = json_of(layout.hands);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "plico/fabricate/fabricate.h"
+#include "plico/fold/panel_paint.h"
 #include "plico/io/page/drawing.h"
 #include "plico/verify/page_layout.h"
 #include "plico/workflow/foldable_net.h"
@@ -39,6 +40,7 @@ struct CraftOptions {
   UnfoldOptions unfold;
   LayoutOptions layout;
   DrawOptions draw;
+  Paint paint;  // how the shape looks: printed, and shown on the page and in pictures
 };
 
 struct CraftFile {
@@ -56,6 +58,7 @@ struct CraftResult {
   std::string motion_kind;       // "linear", "uniform", "planned"; empty without a motion
   std::string why_no_motion;     // empty with one
   bool drawn = true;  // false: the time was over, and so many panels take long; only NAME.fold and report.json
+  PanelPaint paint;   // of the panels of `net`; empty without one, or when not drawn
   LayoutResult layout;
   LayoutVerdict layout_verdict;
   std::vector<Defect> joint_defects;  // of the joints of the kit

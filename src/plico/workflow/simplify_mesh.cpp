@@ -3,14 +3,34 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
+#include "plico/base/error.h"
 #include "plico/mesh/check.h"
 #include "plico/mesh/measures.h"
 #include "plico/mesh/self_intersections.h"
 
 namespace plico {
+namespace {
 
-SimplifiedMesh simplify_mesh(const Mesh& mesh, const SimplifyOptions& options) {
+int crossings_of(const PolygonSoup& soup) { return static_cast<int>(self_intersections(soup).size()); }
+
+// Equal halves, if there is a plane for them and both are in order.
+std::optional<PolygonSoup> alike(const Mesh& triangles, const SimplifyOptions& options) {
+  const std::optional<MirrorPlane> plane = mirror_plane(triangles);
+  if (!plane) return {};
+  try {
+    std::optional<PolygonSoup> soup = simplified_alike(triangles, *plane, options);
+    if (!soup || soup->num_faces() > options.faces || is_closed(Mesh(*soup)) != is_closed(triangles)) return {};
+    return soup;
+  } catch (const InvalidInput&) {  // a surface that touches itself at the plane
+    return {};
+  }
+}
+
+}  // namespace
+
+SimplifiedMesh simplify_mesh(const Mesh& mesh, const SimplifyOptions& options, Halves wish) {
   check(options);
   SimplifiedMesh result;
   if (mesh.num_faces() <= options.faces) {
@@ -21,9 +41,13 @@ SimplifiedMesh simplify_mesh(const Mesh& mesh, const SimplifyOptions& options) {
   }
   const Mesh triangles(triangulated(mesh.soup()));
   result.faces_before = triangles.num_faces();
-  PolygonSoup simple = simplified(triangles, options);
-  const int before = static_cast<int>(self_intersections(triangles.soup()).size());
-  result.crossings = std::max(0, static_cast<int>(self_intersections(simple).size()) - before);
+  const int before = crossings_of(triangles.soup());
+  std::optional<PolygonSoup> halves = wish == Halves::Free ? std::nullopt : alike(triangles, options);
+  if (halves && wish == Halves::Auto && crossings_of(*halves) > before) halves.reset();
+  result.symmetric = halves.has_value();
+  PolygonSoup simple = halves ? std::move(*halves) : simplified(triangles, options);
+  if (wish == Halves::Alike && !result.symmetric) result.notes.emplace_back("the shape is not symmetric");
+  result.crossings = std::max(0, crossings_of(simple) - before);
   result.distance = vertex_distance(triangles.soup(), simple);
   result.mesh = Mesh(std::move(simple));
   if (result.mesh.num_faces() > options.faces)

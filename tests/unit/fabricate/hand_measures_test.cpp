@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "plico/fabricate/net_sides.h"
 #include "plico/shapes/named_shapes.h"
 
 namespace plico {
@@ -31,6 +34,23 @@ TEST(HandMeasures, AStripFillsItsHullAndIsWeakWhereShortFoldsCarryMoreThanThreeP
   EXPECT_EQ(at4.weak, 2);  // 4 | 5 and 5 | 4 panels
   EXPECT_EQ(at6.weak, 0);
   EXPECT_EQ(measure_for_hands(all_folded(strip(7, 1)), 4).weak, 0);  // no fold has four panels on both sides
+}
+
+TEST(HandMeasures, NoNetHasFewerWeakFoldsThanPartsOfTheShapeThatOnlyShortEdgesJoin) {
+  const Unfolding net = all_folded(strip(9, 1));
+  EXPECT_EQ(measure_for_hands(net, 6).least_weak, 0);
+  EXPECT_EQ(measure_for_hands(net, 4).least_weak, 1);  // panels 0 and 8 share no piece within three steps
+  EXPECT_EQ(measure_for_hands(all_folded(strip(7, 1)), 4).least_weak, 0);
+}
+
+TEST(HandMeasures, WhereWeakFoldsAreCutNoneIsLeft) {
+  const Unfolding net = all_folded(strip(9, 1));
+  const std::vector<char> weak = weak_folds(net, 4);
+  const Unfolding cut = cut_folds(net, weak);
+  EXPECT_EQ(std::count(weak.begin(), weak.end(), 1), 1);  // 4 | 5: five panels have no fold left that carries four
+  EXPECT_EQ(cut.num_parts(), 2);
+  EXPECT_EQ(measure_for_hands(cut, 4).weak, 0);
+  EXPECT_EQ(weak_folds(net, 6), std::vector<char>(net.sheet.num_edges(), 0));
 }
 
 TEST(HandMeasures, NeedlesHangByTheirShortSideOnlyIfALongOneCouldFold) {

@@ -80,7 +80,7 @@ TEST(PageLayout, AnIdIsANumberAndThePartThatTheOtherEdgeIsOn) {
     if (text.starts_with("A")) there.insert(text.substr(1));
   EXPECT_FALSE(here.empty());
   EXPECT_EQ(here.count("1"), 1u);
-  EXPECT_THAT(texts(result.layout.parts[0]), testing::Contains("A head"));
+  EXPECT_THAT(texts(result.layout.parts[0]), testing::Contains("A head, step 1"));
   for (const std::string& number : here) EXPECT_TRUE(there.contains(number)) << number;
 }
 

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <optional>
+
 #include "plico/mesh/measures.h"
 #include "plico/shapes/named_shapes.h"
 #include "plico/shapes/shapes.h"
@@ -44,6 +47,34 @@ TEST(Simplify, SharpEdgesOfASolidStay) {
   const Mesh small(simplified(mesh, {.faces = 24, .evenness = 1e-4, .keep_sharp = true}));
   EXPECT_LE(small.num_faces(), 24);
   EXPECT_NEAR(volume(small), volume(mesh), 1e-3 * volume(mesh));
+}
+
+TEST(Simplify, LeftAndRightOfASymmetricShapeAreEqualAndClosed) {
+  const Mesh mesh(make_shape("bird", {.faces = 2000}));
+  const std::optional<MirrorPlane> plane = mirror_plane(mesh);
+  ASSERT_TRUE(plane.has_value());
+  const std::optional<PolygonSoup> soup = simplified_alike(mesh, *plane, {.faces = 200});
+  ASSERT_TRUE(soup.has_value());
+  const Mesh small(*soup);
+  EXPECT_TRUE(is_closed(small));
+  EXPECT_LE(small.num_faces(), 200);
+  EXPECT_GT(small.num_faces(), 190);
+  EXPECT_EQ(genus(small), genus(mesh));
+  for (int v = 0; v < small.num_vertices(); ++v) {
+    const Vec3 image = plane->image(small.point(VertexId(v)));
+    double least = 1;
+    for (const Vec3& p : soup->points) least = std::min(least, (p - image).norm());
+    EXPECT_LT(least, 1e-12);
+  }
+}
+
+TEST(Simplify, ASheetThatOnlyTouchesItsPlaneIsNotHalved) {
+  EXPECT_FALSE(upper_half(sheet(3, 0), {Vec3::Zero(), Vec3::UnitZ()}).has_value());
+  PolygonSoup corner;  // no two corners of this are alike
+  corner.points = {{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 5}};
+  corner.add_face({0, 1, 3});
+  corner.add_face({1, 2, 3});
+  EXPECT_FALSE(mirror_plane(Mesh(corner)).has_value());
 }
 
 TEST(Simplify, DistanceIsThatOfTheFarthestVertex) {

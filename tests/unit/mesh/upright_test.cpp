@@ -35,6 +35,32 @@ TEST(Upright, EqualHalvesLieLeftAndRightOfTheAxisThatIsNotUp) {
   EXPECT_EQ(guessed_up(Mesh(soup)), 'y');
 }
 
+// Three boxes on one floor, one of them three times as tall; standing in a row, in depth, or anyhow.
+TEST(Upright, PiecesThatShareTheirFloorStandOnIt) {
+  for (const Vec3& step : {Vec3(2, 0, 0), Vec3(0, 2, 0), Vec3(2, 1.5, 0)}) {
+    PolygonSoup soup;
+    for (int i = 0; i < 3; ++i) {
+      const PolygonSoup box = make_shape("cube");
+      Eigen::AlignedBox3d around;
+      for (const Vec3& p : box.points) around.extend(p);
+      const int first = soup.num_points();
+      for (const Vec3& p : box.points) {
+        Vec3 at = (p - around.min()).cwiseQuotient(around.sizes());
+        if (i == 2) at.z() *= 3;
+        soup.points.push_back(at + i * step);
+      }
+      for (int f = 0; f < box.num_faces(); ++f) {
+        std::vector<int> corners;
+        for (int v : box.face(f)) corners.push_back(first + v);
+        soup.add_face(corners);
+      }
+    }
+    EXPECT_EQ(guessed_up(Mesh(soup)), 'z');
+    for (Vec3& p : soup.points) p = z_up_from('y').transpose() * p;
+    EXPECT_EQ(guessed_up(Mesh(soup)), 'y');
+  }
+}
+
 TEST(Upright, WithNothingToTellItIsY) { EXPECT_EQ(guessed_up(Mesh(make_shape("cube"))), 'y'); }
 
 }  // namespace

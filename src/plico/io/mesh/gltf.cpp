@@ -10,6 +10,7 @@
 
 #include "plico/base/error.h"
 #include "plico/io/mesh/point_welder.h"
+#include "plico/io/text/base64.h"
 #include "plico/io/text/bytes.h"
 #include "plico/io/text/parse_json.h"
 
@@ -52,23 +53,12 @@ std::size_t size_of_component(int type) {
   }
 }
 
-std::optional<std::string> decoded_base64(std::string_view text) {
-  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  std::uint32_t bits = 0;
-  int held = 0;
-  while (text.ends_with('=')) text.remove_suffix(1);
-  for (const char c : text) {
-    const std::size_t digit = kDigits.find(c);
-    if (digit == std::string_view::npos) return {};
-    bits = bits << 6 | static_cast<std::uint32_t>(digit);
-    held += 6;
-    if (held < 8) continue;
-    held -= 8;
-    bytes += static_cast<char>(bits >> held & 0xff);
-  }
-  return bytes;
-}
+// The looks of the vertices of a primitive; numbers that are none where it says nothing.
+struct VertexLooks {
+  std::vector<Vec2> uv;
+  std::vector<Color> colors;
+  int material = -1;
+};
 
 class GltfReader {
  public:
@@ -81,11 +71,14 @@ class GltfReader {
   MeshSource read() {
     refuse_unknown_extensions();
     decode_data_uris();
+    for (const json& material : array("materials")) source_.looks.materials.push_back(look_of(material));
     seen_.assign(array("nodes").size(), 0);
     if (array("nodes").empty())
       for (std::size_t m = 0; m < array("meshes").size(); ++m)
         add_mesh(static_cast<int>(m), Eigen::Affine3d::Identity());
     for (const int node : roots()) visit(node, Eigen::Affine3d::Identity(), 0);
+    if (!has_uv_) source_.looks.uv.clear();
+    if (!has_colors_) source_.looks.colors.clear();
     return std::move(source_);
   }
 
@@ -195,13 +188,15 @@ class GltfReader {
     const Accessor positions = accessor(attributes["POSITION"].get<int>(), "VEC3", 3);
     if (source_.soup.points.size() + static_cast<std::size_t>(positions.count) > kMaxElements)
       fail(fmt::format("it has more than {} vertices", kMaxElements));
+    const VertexLooks looks = vertex_looks(primitive, attributes, positions.count);
     std::vector<int> number;
     for (int i = 0; i < positions.count; ++i)
       number.push_back(welder.number_of(here * point(positions, i), place(positions, i)));
-    add_triangles(primitive, mode, number, here.linear().determinant() < 0);
+    add_triangles(primitive, mode, number, looks, here.linear().determinant() < 0);
   }
 
-  void add_triangles(const json& primitive, int mode, const std::vector<int>& number, bool mirrored) {
+  void add_triangles(const json& primitive, int mode, const std::vector<int>& number, const VertexLooks& looks,
+                     bool mirrored) {
     std::optional<Accessor> indices;
     if (primitive.contains("indices")) indices = accessor(primitive["indices"].get<int>(), "SCALAR", 1);
     const int count = indices ? indices->count : static_cast<int>(number.size());
@@ -209,16 +204,84 @@ class GltfReader {
       const double index = indices ? component(*indices, i, 0) : i;
       if (!(index >= 0 && index < static_cast<double>(number.size())) || index != std::floor(index))
         fail(fmt::format("a triangle uses vertex {}, there are {}", index, number.size()));
-      return number[static_cast<std::size_t>(index)];
+      return static_cast<int>(index);
     };
     for (int t = 0; mode == kTriangles ? 3 * t + 2 < count : t + 2 < count; ++t) {
       const int first = mode == kTriangles ? 3 * t : mode == kStrip ? t : 0;
       const int second = mode == kFan ? t + 1 : first + 1;
       std::array<int, 3> face{corner(first), corner(second), corner(second + 1)};
       if (mirrored != (mode == kStrip && t % 2 == 1)) std::swap(face[1], face[2]);
-      source_.soup.add_face(face);
+      for (const int vertex : face) {
+        source_.looks.uv.push_back(looks.uv[vertex]);
+        source_.looks.colors.push_back(looks.colors[vertex]);
+      }
+      source_.looks.material.push_back(looks.material);
+      source_.soup.add_face(std::array{number[face[0]], number[face[1]], number[face[2]]});
       source_.face_place.push_back(indices ? place(*indices, first) : 0);
     }
+  }
+
+  // Colours of glTF are linear light, pictures are not.
+  Material look_of(const json& material) const {
+    Material result{.name = material.value("name", "")};
+    const json surface = material.value("pbrMetallicRoughness", json::object());
+    const auto factor = surface.value("baseColorFactor", std::vector<double>{1, 1, 1, 1});
+    if (factor.size() >= 3) result.color = from_linear({factor[0], factor[1], factor[2]});
+    result.tints = true;
+    const json texture = surface.value("baseColorTexture", json::object());
+    if (texture.contains("index")) take_picture(element("textures", texture["index"].get<int>()), result);
+    return result;
+  }
+
+  void take_picture(const json& texture, Material& material) const {
+    if (!texture.contains("source")) return;  // only in a format that is not read here
+    const json& image = element("images", texture["source"].get<int>());
+    // The number keeps pictures apart that have no name.
+    const std::string label = fmt::format("{} {}", image.value("name", "image"), texture["source"].get<int>());
+    // v counts downwards in glTF.
+    material.scale = Vec2(1, -1);
+    material.offset = Vec2(0, 1);
+    if (image.contains("bufferView")) {
+      material.picture = label;
+      material.picture_bytes = view_bytes(image["bufferView"].get<int>());
+      return;
+    }
+    const std::string uri = image.value("uri", "");
+    material.picture = uri.starts_with("data:") ? label : uri;
+    if (!uri.starts_with("data:")) return;
+    const auto comma = uri.find(',');
+    if (comma != std::string::npos)
+      material.picture_bytes = decoded_base64(std::string_view(uri).substr(comma + 1)).value_or("");
+  }
+
+  std::string view_bytes(int index) const {
+    const json& view = element("bufferViews", index);
+    const Buffer whole = buffer(view.value("buffer", 0));
+    const std::size_t first = offset(view, "byteOffset"), length = offset(view, "byteLength");
+    if (first > whole.bytes.size() || length > whole.bytes.size() - first)
+      fail(fmt::format("bufferView {} reaches beyond its buffer", index));
+    return std::string(whole.bytes.substr(first, length));
+  }
+
+  VertexLooks vertex_looks(const json& primitive, const json& attributes, int count) {
+    VertexLooks looks{std::vector<Vec2>(count, Vec2::Constant(std::numeric_limits<double>::quiet_NaN())),
+                      std::vector<Color>(count, kWhite), primitive.value("material", -1)};
+    if (looks.material >= static_cast<int>(source_.looks.materials.size())) looks.material = -1;
+    if (attributes.contains("TEXCOORD_0")) {
+      const Accessor from = accessor(attributes["TEXCOORD_0"].get<int>(), "VEC2", 2);
+      for (int i = 0; i < std::min(count, from.count); ++i)
+        looks.uv[i] = {component(from, i, 0), component(from, i, 1)};
+      has_uv_ = true;
+    }
+    if (attributes.contains("COLOR_0")) {
+      const int number = attributes["COLOR_0"].get<int>();
+      const bool has_alpha = element("accessors", number).value("type", "") == "VEC4";
+      const Accessor from = accessor(number, has_alpha ? "VEC4" : "VEC3", has_alpha ? 4 : 3);
+      for (int i = 0; i < std::min(count, from.count); ++i)
+        looks.colors[i] = from_linear({component(from, i, 0), component(from, i, 1), component(from, i, 2)});
+      has_colors_ = true;
+    }
+    return looks;
   }
 
   Buffer buffer(int index) const {
@@ -294,6 +357,7 @@ class GltfReader {
   std::optional<Buffer> chunk_;  // of a binary file: its buffer 0
   std::vector<std::string> decoded_;
   std::vector<int> seen_;
+  bool has_uv_ = false, has_colors_ = false;
   MeshSource source_;
 };
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "plico/io/mesh/looks.h"
 #include "plico/mesh/soup.h"
 
 namespace plico {
@@ -16,6 +17,7 @@ struct MeshSource {
   bool binary = false;           // places are byte offsets, otherwise line numbers from 1
   std::vector<int> point_place;  // one per point: the line or byte at which it is given
   std::vector<int> face_place;   // one per face
+  Looks looks;
 
   std::string place(int where) const;  // "bunny.obj:214" or "bunny.stl: byte 1084"
 };

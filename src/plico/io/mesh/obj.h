@@ -1,4 +1,5 @@
-// Wavefront OBJ: `v` and `f` lines; everything else (normals, texture, groups, materials, lines) is passed over.
+// Wavefront OBJ: `v` and `f` lines, and for the looks `vt`, `usemtl`, `mtllib` and the colours of `v` lines; everything
+// else (normals, groups, lines) is passed over.
 #pragma once
 #include <string>
 #include <string_view>

@@ -1,10 +1,11 @@
 // Still pictures of a linkage, drawn in memory: no display, no graphics card, the same pixels on every machine.
 #pragma once
-#include <cstdint>
 #include <string>
 #include <vector>
 
+#include "plico/base/picture.h"
 #include "plico/fold/linkage.h"
+#include "plico/io/text/png.h"
 
 namespace plico {
 
@@ -24,21 +25,13 @@ struct PictureOptions {
   std::vector<Vec3> room = {};  // points that must fit as well, after the turn
   // A motion of every panel after it is folded, to show pieces of a kit where they belong; empty: none.
   std::vector<Pose> home = {};
-};
-
-// Rows of RGBA bytes, top row first.
-struct Picture {
-  int width = 0, height = 0;
-  std::vector<std::uint8_t> rgba;
+  std::vector<Color> colors = {};  // of the fronts of panels; empty: all alike
 };
 
 // Panels seen in perspective: front and back in their own colours, creases and sides as lines, a soft shadow on the
 // ground. Rendered at three times the size with a depth buffer, then averaged. O(pixels + panels). Throws InvalidInput
 // beyond the limits of a hinge.
 Picture render(const Linkage& linkage, const Configuration& config, const PictureOptions& options = {});
-
-// The bytes of a PNG file.
-std::string write_png(const Picture& picture);
 
 inline std::string render_png(const Linkage& linkage, const Configuration& config, const PictureOptions& options = {}) {
   return write_png(render(linkage, config, options));

@@ -250,12 +250,19 @@ class SurfaceNumbers {
   std::vector<int> first_;
 };
 
-void draw_panels(Canvas& canvas, const View& view, const Linkage& linkage, const std::vector<Pose>& poses) {
+Colour front_colour(const std::vector<Color>& colors, int panel) {
+  if (panel >= static_cast<int>(colors.size())) return kFrontColour;
+  return Eigen::Array3d(colors[panel][0], colors[panel][1], colors[panel][2]).cast<float>();
+}
+
+void draw_panels(Canvas& canvas, const View& view, const Linkage& linkage, const std::vector<Pose>& poses,
+                 const std::vector<Color>& colors) {
   const SurfaceNumbers numbers(linkage);
   for (int p = 0; p < linkage.num_panels(); ++p) {
     PanelSolid solid = panel_solid(linkage, p);
     for (Vec3& v : solid.points) v = poses[p] * v;
-    for (const auto& t : solid.front) draw_triangle(canvas, view, solid.points, t, kFrontColour, numbers.front(p));
+    const Colour front = front_colour(colors, p);
+    for (const auto& t : solid.front) draw_triangle(canvas, view, solid.points, t, front, numbers.front(p));
     for (const auto& t : solid.back) draw_triangle(canvas, view, solid.points, t, kBackColour, numbers.back(p));
     for (std::size_t i = 0; i < solid.walls.size(); ++i)  // two triangles a side
       draw_triangle(canvas, view, solid.points, solid.walls[i], kBackColour * 0.85f,
@@ -360,7 +367,7 @@ Picture render(const Linkage& linkage, const Configuration& config, const Pictur
 
   Canvas canvas(options.width * kSamples, options.height * kSamples);
   const View view(options.camera, content, canvas.width(), canvas.height());
-  draw_panels(canvas, view, linkage, poses);
+  draw_panels(canvas, view, linkage, poses, options.colors);
   draw_lines(canvas, view, linkage, poses);
   if (!options.transparent) {
     draw_background(canvas, soft_shadow(canvas, view, linkage, poses, ground));

@@ -8,6 +8,7 @@
 #include "plico/base/libm.h"
 #include "plico/geom/polygon.h"
 #include "plico/io/motion/panel_joints.h"
+#include "plico/io/text/base64.h"
 
 namespace plico {
 namespace {
@@ -56,14 +57,15 @@ void add_tree(Json& data, const Linkage& linkage) {
     data["seams"].push_back({seam.panel_a, seam.side_a, seam.panel_b, seam.side_b});
 }
 
-// Numbers and letters of the pages, so that one can look up in space where a part goes.
+// Numbers and letters of the pages, so that one can look up in space where a part goes, and colours.
 void add_ids(Json& data, const ViewerInput& input) {
   const std::size_t n = input.linkage.panels.size();
   const auto fits = [n](const auto& list) { return list.empty() || list.size() == n; };
-  if (!fits(input.side_ids) || !fits(input.part_of_panel))
+  if (!fits(input.side_ids) || !fits(input.part_of_panel) || !fits(input.colors))
     throw InvalidInput("viewer/ids", fmt::format("ids of {} panels for {}", input.side_ids.size(), n));
   data["sideIds"] = input.side_ids;
   data["partOf"] = input.part_of_panel;
+  for (const Color& color : input.colors) data["colors"].push_back(hex_text(color));
 }
 
 // The moment at which everything is folded.
@@ -92,18 +94,6 @@ void add_home(Json& data, const ViewerInput& input) {
                             {"centre", list(centre)},
                             {"shift", list(home * centre - centre)}});
   }
-}
-
-std::string base64(const std::string& bytes) {
-  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    unsigned group = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k) text += i + k > bytes.size() ? '=' : kDigits[group >> (18 - 6 * k) & 63];
-  }
-  return text;
 }
 
 void add_pictures(Json& data, const ViewerInput& input) {

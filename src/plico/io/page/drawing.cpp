@@ -11,16 +11,29 @@
 #include "plico/fabricate/place.h"
 #include "plico/font/font.h"
 #include "plico/geom/polygon.h"
+#include "plico/io/page/color_layer.h"
 
 namespace plico {
 namespace {
 
-using Color = std::array<double, 3>;
-
 constexpr Color rgb(int hex) { return {(hex >> 16 & 255) / 255.0, (hex >> 8 & 255) / 255.0, (hex & 255) / 255.0}; }
 
 // The pens of a style; numbers are indices into Drawing::pens.
-enum PenIndex { kCut, kMountain, kValley, kFlat, kMark, kLeader, kTabFill, kText, kFaint };
+enum PenIndex {
+  kCut,
+  kMountain,
+  kValley,
+  kFlat,
+  kMark,
+  kLeader,
+  kTabFill,
+  kText,
+  kFaint,
+  kElsewhere,  // this and what follows only where they are used
+  kHere,
+  kHair,
+  kLight
+};
 
 std::vector<Pen> pens(DrawStyle style) {
   const std::vector<double> dash_dot{2.2, 0.7, 0.25, 0.7}, dash{1.6, 1.0}, dots{0.3, 0.9};
@@ -49,6 +62,13 @@ std::vector<Pen> pens(DrawStyle style) {
           {rgb(0x555555), 0.12}};
 }
 
+// Of pages with a picture of the model; a laser would burn it.
+std::vector<Pen> picture_pens(DrawStyle style) {
+  if (style == DrawStyle::Bw)
+    return {{rgb(0xeeeeee), 0, {}, true}, {rgb(0x888888), 0, {}, true}, {rgb(0x333333), 0.04, {}, false, true}};
+  return {{rgb(0xe4e4e4), 0, {}, true}, {rgb(0xf0b429), 0, {}, true}, {rgb(0x888888), 0.04, {}, false, true}};
+}
+
 PenIndex pen_of(Assignment fold) {
   return fold == Assignment::Mountain ? kMountain : fold == Assignment::Valley ? kValley : kFlat;
 }
@@ -57,15 +77,28 @@ Layer layer_of(Assignment fold) {
   return fold == Assignment::Mountain ? Layer::Mountain : fold == Assignment::Valley ? Layer::Valley : Layer::Mark;
 }
 
+// On paint that is so dark, letters are white.
+constexpr double kDark = 0.4;
+double brightness(const Color& color) { return 0.3 * color[0] + 0.59 * color[1] + 0.11 * color[2]; }
+
+bool shows_colors(const DrawOptions& options) {
+  return options.color && options.style != DrawStyle::Laser && options.style != DrawStyle::Bw &&
+         options.side != PaperSide::Inside;
+}
+
 // Draws one page.
 class Drafter {
  public:
-  Drafter(const PageLayout& layout, int page, const DrawOptions& options, const Font& font)
+  Drafter(const PageLayout& layout, int page, const DrawOptions& options, const PanelPaint& paint, const Font& font)
       : layout_(layout), page_(layout.pages[page]), number_(page), options_(options), font_(font) {
     drawing_.size = page_.size;
     drawing_.title = options.title;
     drawing_.pens = pens(options.style);
     if (options.perforation.cut > 0) drawing_.pens[kMountain].dash = drawing_.pens[kValley].dash = {};
+    if (paint.empty() || !shows_colors(options)) return;
+    add_colors(layout, page, paint, drawing_.pens[kTabFill].color, drawing_);
+    need_picture_pens();
+    drawing_.pens.push_back({rgb(0xffffff), 0.1});  // kLight
   }
 
   Drawing run() {
@@ -73,6 +106,7 @@ class Drafter {
       if (part.page == number_) draw_part(part);
     if (options_.shadow_tabs) draw_shadows();
     if (page_.key_form != KeyForm::None) draw_key();
+    if (page_.inset && options_.style != DrawStyle::Laser) draw_inset(*page_.inset);
     put_in_order();
     return std::move(drawing_);
   }
@@ -103,8 +137,13 @@ class Drafter {
     }
   }
 
+  void need_picture_pens() {
+    if (drawing_.pens.size() > kElsewhere) return;
+    for (Pen& pen : picture_pens(options_.style)) drawing_.pens.push_back(std::move(pen));
+  }
+
   void draw_part(const PlacedPart& part) {
-    if (drawing_.pens[kTabFill].fill)
+    if (drawing_.pens[kTabFill].fill && !drawing_.is_painted())
       for (const Tab& tab : part.tabs)
         drawing_.strokes.push_back({Layer::Mark, {tab.corners.begin(), tab.corners.end()}, true, kTabFill});
     for (const FoldLine& fold : part.folds)
@@ -152,6 +191,7 @@ class Drafter {
 
   void write_centered(const std::string& text, const Vec2& center, double angle, double size, PenIndex pen) {
     const Vec2 back(-font_.width(text, size) / 2, -Font::cap_height(size) / 2);
+    if (drawing_.is_painted() && brightness(color_under(drawing_, center)) < kDark) pen = kLight;
     drawing_.texts.push_back({text, center + rotation(angle) * back, angle, size, pen});
   }
 
@@ -171,6 +211,25 @@ class Drafter {
     if (options_.ruler) draw_ruler();
     if (page_.key_form == KeyForm::Row) draw_legend(page_.ruler + 11, 5.6, page_.ruler + 11, 1.2, 64);
     if (page_.key_form == KeyForm::Stack) draw_legend(1, 17.5, 1, 11.5, page_.ruler);
+  }
+
+  // The inside of the paper is drawn mirrored, but the model is not.
+  void draw_inset(const Inset& inset) {
+    need_picture_pens();
+    const bool mirrored = options_.side != PaperSide::Outside;
+    const double middle = inset.at.x() + inset.size.x() / 2;
+    for (const Inset::Panel& panel : inset.panels) {
+      std::vector<Vec2> corners = panel.corners;
+      if (mirrored)
+        for (Vec2& p : corners) p.x() = 2 * middle - p.x();
+      drawing_.strokes.push_back({Layer::Mark, corners, true, panel.here ? kHere : kElsewhere});
+      drawing_.strokes.push_back({Layer::Mark, std::move(corners), true, kHair});
+    }
+    const double line = (inset.size.y() - inset.size.x()) / static_cast<double>(inset.lines.size());
+    for (std::size_t i = 0; i < inset.lines.size(); ++i) {
+      const Vec2 at = inset.at + Vec2(0, line * (static_cast<double>(inset.lines.size() - i) - 0.75));
+      drawing_.texts.push_back({inset.lines[i], at, 0, 6 * kMillimetresPerPoint, kText});
+    }
   }
 
   void draw_ruler() {
@@ -221,9 +280,12 @@ class Drafter {
   Drawing drawing_;
 };
 
-// As the other side of the paper shows it: left is right and mountains are valleys, but letters stay letters.
+// As the other side of the paper shows it: left is right and mountains are valleys, but letters stay letters. Colours
+// stay outside.
 Drawing seen_from_inside(Drawing drawing, const Font& font) {
   const double width = drawing.size.x();
+  drawing.fills.clear();
+  drawing.picture = {};
   const auto flipped = [&](const Vec2& p) { return Vec2(width - p.x(), p.y()); };
   for (Stroke& stroke : drawing.strokes) {
     for (Vec2& p : stroke.points) p = flipped(p);
@@ -233,6 +295,7 @@ Drawing seen_from_inside(Drawing drawing, const Font& font) {
     }
   }
   for (Text& text : drawing.texts) {
+    if (text.pen == kLight) text.pen = kText;
     const bool upright =
         text.angle > kPi / 2 - 1e-9;  // of a key that stands on its side: stays readable from the right
     text.start = flipped(text.start + rotation(text.angle) * Vec2(font.width(text.text, text.size), 0));
@@ -289,12 +352,12 @@ void check(const DrawOptions& options) {
     throw InvalidOption(fmt::format("perforation: gaps of {:g} mm must be in [0.2, 50] mm", gap));
 }
 
-std::vector<Drawing> draw(const PageLayout& layout, const DrawOptions& options) {
+std::vector<Drawing> draw(const PageLayout& layout, const DrawOptions& options, const PanelPaint& paint) {
   check(options);
   const Font font;
   std::vector<Drawing> drawings;
   for (int page = 0; page < static_cast<int>(layout.pages.size()); ++page)
-    add_sides(Drafter(layout, page, options, font).run(), options, font, drawings);
+    add_sides(Drafter(layout, page, options, paint, font).run(), options, font, drawings);
   return drawings;
 }
 

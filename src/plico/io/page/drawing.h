@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "plico/fold/page_layout.h"
+#include "plico/fold/panel_paint.h"
 
 namespace plico {
 
@@ -14,13 +15,15 @@ enum class Layer { Cut, Mountain, Valley, Mark, Text };
 constexpr std::array<Layer, 5> kLayers{Layer::Cut, Layer::Mountain, Layer::Valley, Layer::Mark, Layer::Text};
 // Marks with the fill of tabs lie at the bottom, cuts on top; a machine that follows the file cuts last.
 constexpr std::array<Layer, 5> kDrawOrder{Layer::Mark, Layer::Text, Layer::Valley, Layer::Mountain, Layer::Cut};
-std::string_view name(Layer layer);  // "CUT", "MOUNTAIN", "VALLEY", "MARK", "TEXT"
+inline constexpr std::string_view kColorLayer = "COLOR";  // below them, in files of painted models only
+std::string_view name(Layer layer);                       // "CUT", "MOUNTAIN", "VALLEY", "MARK", "TEXT"
 
 struct Pen {
   std::array<double, 3> color{0, 0, 0};  // red, green, blue in [0, 1]
   double width = 0.2;                    // millimetres; 0 draws no line
   std::vector<double> dash{};            // millimetres on, off, on, off, ...; empty is solid
   bool fill = false;                     // filled with `color` instead
+  bool to_look_at = false;               // of a picture: left out of DXF files, which are there to cut
 };
 
 struct Stroke {
@@ -39,13 +42,28 @@ struct Text {
   int pen = 0;       // its color
 };
 
+// A polygon of one colour, below all strokes.
+struct ColorFill {
+  std::vector<Vec2> points;
+  Color color = kWhite;
+};
+
+// A picture on a page, below all strokes; white paper where it has no pixels.
+struct PagePicture {
+  Picture picture;
+  Vec2 low = Vec2::Zero(), size = Vec2::Zero();  // its lower left corner, and how large, millimetres
+};
+
 // One page; origin at the lower left corner, y upwards, millimetres.
 struct Drawing {
   Vec2 size = Vec2::Zero();
   std::string title;
   std::vector<Pen> pens;
   std::vector<Stroke> strokes;
-  std::vector<Text> texts;  // all in layer Text
+  std::vector<Text> texts;       // all in layer Text
+  std::vector<ColorFill> fills;  // the looks of the model: these, later ones on top, or a picture
+  PagePicture picture;
+  bool is_painted() const { return !fills.empty() || picture.picture.width > 0; }
 };
 
 // Paper: for scissors. Origami: mountain red, valley blue. Laser: red cuts, blue and cyan scores, black marks.
@@ -69,18 +87,20 @@ enum class PaperSide { Outside, Inside, Both };
 struct DrawOptions {
   DrawStyle style = DrawStyle::Paper;
   bool flat_creases = false;  // show folds that stay flat
-  std::string title;          // of the model, shown beside the legend
+  std::string title = {};     // of the model, shown beside the legend
   TextForm text = TextForm::Text;
   Perforation perforation = {};
   bool ruler = true;
   PaperSide side = PaperSide::Outside;
+  bool color = true;         // the looks of the model on the outside; never in styles Laser and Bw
   bool shadow_tabs = false;  // where each tab lands, as thin lines on the panel it is glued under
 };
 void check(const DrawOptions& options);  // throws InvalidOption naming field, value and range
 
 // One drawing a page. Every part is one closed stroke in layer Cut (more when it has holes), tabs included; what lies
-// inside another outline is cut before it. Throws InvalidOption.
-std::vector<Drawing> draw(const PageLayout& layout, const DrawOptions& options = {});
+// inside another outline is cut before it. `paint` is that of the net that was laid out; text on dark panels is white.
+// Throws InvalidOption.
+std::vector<Drawing> draw(const PageLayout& layout, const DrawOptions& options = {}, const PanelPaint& paint = {});
 
 // Coordinates in files: rounded to 1e-7, without trailing zeros; the same text for the same double.
 std::string decimal(double x);

@@ -9,6 +9,8 @@
 namespace plico {
 namespace {
 
+bool is_line(const Pen& pen) { return !pen.fill && !pen.to_look_at; }
+
 // AutoCAD's colour numbers by distance; enough for the pens of the styles.
 int color_number(const std::array<double, 3>& color) {
   constexpr struct {
@@ -189,7 +191,7 @@ class DxfWriter {
   // The pen that a layer is mostly drawn with.
   Pen pen_of(Layer layer) const {
     for (const Stroke& stroke : drawing_.strokes)
-      if (stroke.layer == layer && !drawing_.pens[stroke.pen].fill) return drawing_.pens[stroke.pen];
+      if (stroke.layer == layer && is_line(drawing_.pens[stroke.pen])) return drawing_.pens[stroke.pen];
     if (layer == Layer::Text && !drawing_.texts.empty()) return drawing_.pens[drawing_.texts.front().pen];
     return {};
   }
@@ -263,7 +265,7 @@ class DxfWriter {
     }
     for (Layer layer : kDrawOrder)
       for (const Stroke& stroke : drawing_.strokes)
-        if (stroke.layer == layer && !drawing_.pens[stroke.pen].fill) polyline(stroke.points, stroke.closed, layer);
+        if (stroke.layer == layer && is_line(drawing_.pens[stroke.pen])) polyline(stroke.points, stroke.closed, layer);
     group(0, "ENDSEC");
   }
 

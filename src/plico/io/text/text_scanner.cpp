@@ -51,6 +51,16 @@ void TextScanner::skip_line() {
   if (at_ < bytes_.size()) pass_line_end();
 }
 
+std::string_view TextScanner::rest_of_line() {
+  word_line_ = line_;
+  while (!at_line_end() && is_space(bytes_[at_])) ++at_;
+  const std::size_t first = at_;
+  while (!at_line_end()) ++at_;
+  std::string_view rest = bytes_.substr(first, at_ - first);
+  while (!rest.empty() && is_space(rest.back())) rest.remove_suffix(1);
+  return rest;
+}
+
 bool TextScanner::more_on_line() {
   while (!at_line_end()) {
     if (is_space(bytes_[at_])) {

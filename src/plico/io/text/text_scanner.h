@@ -20,6 +20,8 @@ class TextScanner {
   double number(std::string_view what);  // `what` names the thing in messages: "the x of vertex 3"
   int integer(std::string_view what);
   void skip_line();  // to the end of this line
+  // What is left of this line as it stands, without spaces around it: names may hold spaces and any sign.
+  std::string_view rest_of_line();
 
   int line() const { return line_; }  // of the next character, from 1
   std::size_t position() const { return at_; }

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -60,8 +61,7 @@ std::string motion_text(const CraftResult& result) {
   return fmt::format("{}, not proven", result.motion_kind);
 }
 
-void print_pieces(const Session& session, const Mesh& mesh, const Kit& kit) {
-  const std::vector<int> step = assembly_steps(mesh, kit.parts, kit.joints);
+void print_pieces(const Session& session, const Kit& kit) {
   for (int i = 0; i < kit.parts.num_parts(); ++i) {
     const ProvenPart& piece = kit.part[i];
     const std::string motion =
@@ -69,19 +69,14 @@ void print_pieces(const Session& session, const Mesh& mesh, const Kit& kit) {
                      : std::string(piece.net.sheet.num_faces() == 1 ? "nothing turns" : "no motion");
     session.print(fmt::format("piece {:<4} {} panels, {}\n", kit.parts.names[i], piece.net.sheet.num_faces(), motion));
   }
-  std::string order;
-  for (int at = 1; at <= kit.parts.num_parts(); ++at)
-    order += " " + kit.parts.names[std::ranges::find(step, at) - step.begin()];
-  session.print(fmt::format("build     {}\n", order));
 }
 
-void print_result(const CraftArgs& args, const Session& session, const std::string& folder, const Mesh& mesh,
-                  const CraftResult& result) {
+void print_result(const CraftArgs& args, const Session& session, const std::string& folder, const CraftResult& result) {
   session.print(fmt::format("net        {} panels, {} {}, {}\n", result.verdict.panels, result.verdict.parts,
                             result.verdict.parts == 1 ? "part" : "parts",
                             result.verdict.valid() ? "verified free of overlap" : "NOT verified"));
   session.print(fmt::format("motion     {}\n", motion_text(result)));
-  if (result.kit) print_pieces(session, mesh, *result.kit);
+  if (result.kit) print_pieces(session, *result.kit);
   if (result.drawn)
     session.print(layout_text(result.layout.report));
   else
@@ -111,6 +106,20 @@ void warn_of_small_edges(const Session& session, const CraftResult& result) {
       "{:.0f}mm --split, or --parts auto",
       work.small, work.edges, kSmallEdge, work.omitted, work.ids,
       result.net.sheet.num_faces() > 400 ? "--faces 300, " : "", work.longest_mm));
+}
+
+// Folds that may tear; at the size that is told this very net has none.
+void warn_of_weak_folds(const Session& session, const CraftResult& result) {
+  const LayoutReport& layout = result.layout.report;
+  const HandMeasures& hands = layout.hands;
+  if (hands.weak == 0) return;
+  const double longest = layout.final_size.maxCoeff();
+  const double larger = std::ceil(longest * kShortestFold / hands.shortest_carrying);
+  session.warn(fmt::format(
+      "{} {} under {:g} mm {} more than {} panels and may tear{}; try {}--weak-folds cut", hands.weak,
+      hands.weak == 1 ? "fold" : "folds", kShortestFold, hands.weak == 1 ? "carries" : "carry", kLightBranchPanels,
+      hands.least_weak > 0 ? fmt::format(" (no net of this shape has fewer than {})", hands.least_weak) : "",
+      larger <= 2 * longest ? fmt::format("--longest {:.0f}mm, or ", larger) : ""));
 }
 
 // The shells of a shape in parts; of one that hangs together, those of its nearly convex parts.
@@ -146,8 +155,9 @@ int write_result(const CraftArgs& args, const Mesh& mesh, const std::string& fol
                  Session& session) {
   for (const CraftFile& file : result.files) session.write(folder + "/" + file.name, file.bytes);
   session.report()["craft"] = craft_report(mesh, result);
-  print_result(args, session, folder, mesh, result);
+  print_result(args, session, folder, result);
   if (!args.shells && result.drawn) warn_of_small_edges(session, result);
+  if (result.drawn) warn_of_weak_folds(session, result);
   for (const Defect& defect : result.verdict.defects) session.warn(defect.message);
   for (const Defect& defect : result.joint_defects) session.warn(defect.message);
   if (result.kit)
@@ -168,6 +178,7 @@ int craft_shells(const CraftArgs& args, Session& session) {
   options.pieces = std::move(pieces.pieces);
   options.joints = std::move(pieces.joints);
   options.layout.size.up = up_axis(args.print.up, pieces.mesh, session);
+  options.paint = read_paint_of(args.mesh, session);
   return write_result(args, pieces.mesh, folder, craft(pieces.mesh, options, session.run()), session);
 }
 
@@ -175,12 +186,13 @@ int craft_file(const CraftArgs& args, Session& session) {
   check_shell_usage(args);
   craft_options(args, session);  // what is wrong is told before the folder is made
   if (args.shells) return craft_shells(args, session);
-  Mesh given = read_mesh(args.mesh, args.repair, session);
+  PaintedMesh given = read_painted_mesh(args.mesh, args.repair, session);
   const std::string folder = session.output_folder(stem(args.mesh));
-  const Mesh mesh = mesh_to_craft(std::move(given), args, session);
+  const Mesh mesh = mesh_to_craft(std::move(given.mesh), args, session);
   warn_of_many_faces(mesh, args.mesh, session);
   CraftOptions options = craft_options(args, session);
   options.layout.size.up = up_axis(args.print.up, mesh, session);
+  options.paint = std::move(given.paint);
   return write_result(args, mesh, folder, craft(mesh, options, session.run()), session);
 }
 

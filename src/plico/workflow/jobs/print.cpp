@@ -12,6 +12,7 @@
 #include "plico/fabricate/fabricate.h"
 #include "plico/io/page/drawing.h"
 #include "plico/io/pattern/fold.h"
+#include "plico/io/pattern/fold_colors.h"
 #include "plico/io/text/file.h"
 #include "plico/verify/page_layout.h"
 #include "plico/workflow/jobs/jobs.h"
@@ -85,7 +86,7 @@ int print(const NetArgs& args, Session& session) {
   session.report()["print"] = json_of(result.report);
   session.report()["print"]["overlaps"] = verdict.overlaps;
   const DrawOptions how = draw_options(args.print, name);
-  const std::vector<Drawing> pages = draw(result.layout, how);
+  const std::vector<Drawing> pages = draw(result.layout, how, plain_paint(file.net.sheet, colors_of(file)));
   for (const std::string& path : outputs) write_pages(session, path, pages, how.title);
   session.print(layout_text(result.report));
   for (const std::string& problem : verdict.problems) session.warn(problem);

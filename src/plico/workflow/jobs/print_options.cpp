@@ -87,6 +87,9 @@ void add_print_options(Job& job, PrintArgs& args) {
       .option("--margin", "LENGTHS", "left free around each page; or top,right,bottom,left; default 10mm", args.margin)
       .length("--gap", "between parts", args.gap, {0, 100})
       .flag("--split", "cut parts that are too large for a page along folds", args.split)
+      .choice("--weak-folds",
+              "folds under 5 mm that carry a branch of more than three panels are kept, or cut so that it is glued",
+              args.weak_folds, {"keep", "cut"})
       .choice("--tabs", "which side of a seam has the tab", args.tabs,
               {"auto", "alternate", "left", "right", "both", "none"})
       .length("--tab-width", "depth of the tabs", args.tab_width, {1, 50})
@@ -106,6 +109,7 @@ void add_print_options(Job& job, PrintArgs& args) {
               "where facets of two pieces meet: marks to glue them, marks with a hole for a paper rivet so that they "
               "turn, or nothing",
               args.joint, {"glue", "rivet", "none"})
+      .flag("--no-color", "do not print the colours and pictures of the model", args.no_color)
       .flag("--shadow-tabs", "draw where each tab lands on the panel it is glued under", args.shadow_tabs)
       .flag("--no-ruler", "leave out the ruler", args.no_ruler)
       .flag("--no-legend", "leave out the legend", args.no_legend)
@@ -135,6 +139,7 @@ LayoutOptions layout_options(const PrintArgs& args) {
   options.marks = mark_options(args.marks);
   options.joint = args.joint == "rivet" ? JointKind::Rivet : args.joint == "none" ? JointKind::None : JointKind::Glue;
   options.split = args.split;
+  options.cut_weak_folds = args.weak_folds == "cut";
   options.flat = args.flat;
   return options;
 }
@@ -149,6 +154,7 @@ DrawOptions draw_options(const PrintArgs& args, const std::string& default_title
                       .side = args.side == "inside" ? PaperSide::Inside
                               : args.side == "both" ? PaperSide::Both
                                                     : PaperSide::Outside,
+                      .color = !args.no_color,
                       .shadow_tabs = args.shadow_tabs};
   const std::string text = or_else(args.text, by.text);
   options.text = text == "none" ? TextForm::None : text == "outlines" ? TextForm::Outlines : TextForm::Text;
@@ -172,6 +178,7 @@ nlohmann::json json_of(const LayoutReport& r) {
           {"scale_mm_per_unit", r.scale},
           {"final_size_mm", {r.final_size.x(), r.final_size.y(), r.final_size.z()}},
           {"folds_cut", r.folds_cut},
+          {"weak_folds_cut", r.weak_folds_cut},
           {"tabs",
            {{"made", t.tabs.size()},
             {"full", t.full},
@@ -181,6 +188,18 @@ nlohmann::json json_of(const LayoutReport& r) {
             {"seams_too_short", t.short_seams}}},
           {"edge_ids", {{"placed", r.labels.placed}, {"leaders", r.labels.leaders}, {"omitted", r.labels.omitted}}},
           {"pages_without_ruler", r.pages_without_ruler}};
+}
+
+// "build A, C onto A, B onto C", the first dozen.
+std::string build_text(const LayoutReport& r) {
+  constexpr std::size_t kMost = 12;
+  std::string text = "build";
+  for (std::size_t i = 0; i < std::min(kMost, r.steps.size()); ++i) {
+    const AssemblyStep& step = r.steps[i];
+    text += fmt::format("{} {}", i == 0 ? "" : ",", r.part_names[step.part]);
+    if (!step.onto.empty()) text += " onto " + r.part_names[step.onto.front()];
+  }
+  return text + (r.steps.size() > kMost ? ", ...\n" : "\n");
 }
 
 std::string layout_text(const LayoutReport& r) {
@@ -194,7 +213,9 @@ std::string layout_text(const LayoutReport& r) {
                       r.tabs.tabs.size(), r.tabs.shrunk, r.tabs.moved, r.tabs.omitted, r.tabs.short_seams);
   text += fmt::format("edge ids: {} at their edge, {} beside it, {} left out\n", r.labels.placed, r.labels.leaders,
                       r.labels.omitted);
+  if (!r.steps.empty()) text += build_text(r);
   if (r.folds_cut > 0) text += fmt::format("{} folds became seams so that the parts fit\n", r.folds_cut);
+  if (r.weak_folds_cut > 0) text += fmt::format("{} short folds with much on them became seams\n", r.weak_folds_cut);
   if (r.joints_without_hole > 0)
     text +=
         fmt::format("{} facets are too small for the hole of a rivet, {:g} mm wide\n", r.joints_without_hole, kRivet);

@@ -4,9 +4,11 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "plico/base/error.h"
 #include "plico/io/mesh/mesh_file.h"
+#include "plico/io/mesh/read_paint.h"
 #include "plico/mesh/flat_regions.h"
 #include "plico/mesh/repair.h"
 
@@ -16,17 +18,25 @@ namespace {
 // A net of so many faces is laid flat, judged and written in about this time.
 constexpr double kSecondsAFace = 4e-5;
 
-}  // namespace
+MeshSource read_source(const std::string& path, Session& session) { return read_mesh_source(session.read(path), path); }
 
-Job& add_repair_option(Job& job, std::string& repair) {
-  return job.choice("--repair",
-                    "safe joins corners that coincide, cuts polygons that are not flat, drops faces without area, "
-                    "turns faces to agree; full also changes the shape where it must",
-                    repair, {"safe", "full", "none"});
+Paint paint_of(const MeshSource& source, const std::string& path, Session& session) {
+  const std::size_t slash = path.find_last_of('/');
+  const std::string folder = slash == std::string::npos ? "" : path.substr(0, slash + 1);
+  const auto beside = [&](const std::string& name) -> std::optional<std::string> {
+    if (path == "-" || name.starts_with('/')) return {};
+    try {
+      return session.read(folder + name);
+    } catch (const FileError&) {
+      return {};
+    }
+  };
+  PaintRead read = read_paint(source, beside);
+  for (const std::string& note : read.notes) session.warn(note);
+  return std::move(read.paint);
 }
 
-Mesh read_mesh(const std::string& path, const std::string& repair, Session& session) {
-  MeshSource source = read_mesh_source(session.read(path), path);
+Mesh repaired_mesh(MeshSource source, const std::string& path, const std::string& repair, Session& session) {
   session.keep_time(kSecondsAFace * source.soup.num_faces());
   const CheckOptions strict{.planarity = kFlatPolygon, .self_intersections = false};
   if (repair == "none") return to_mesh(std::move(source), strict);
@@ -45,6 +55,29 @@ Mesh read_mesh(const std::string& path, const std::string& repair, Session& sess
   }
   throw InvalidInput(error.code, error.message + ", after what was repaired", error.where,
                      repair == "safe" ? full : "plico check " + path);
+}
+
+}  // namespace
+
+Job& add_repair_option(Job& job, std::string& repair) {
+  return job.choice("--repair",
+                    "safe joins corners that coincide, cuts polygons that are not flat, drops faces without area, "
+                    "turns faces to agree; full also changes the shape where it must",
+                    repair, {"safe", "full", "none"});
+}
+
+Mesh read_mesh(const std::string& path, const std::string& repair, Session& session) {
+  return repaired_mesh(read_source(path, session), path, repair, session);
+}
+
+PaintedMesh read_painted_mesh(const std::string& path, const std::string& repair, Session& session) {
+  MeshSource source = read_source(path, session);
+  Paint paint = paint_of(source, path, session);
+  return {repaired_mesh(std::move(source), path, repair, session), std::move(paint)};
+}
+
+Paint read_paint_of(const std::string& path, Session& session) {
+  return paint_of(read_source(path, session), path, session);
 }
 
 void warn_of_many_faces(const Mesh& mesh, const std::string& path, Session& session) {

@@ -4,6 +4,7 @@
 
 #include "plico/io/mesh/mesh_file.h"
 #include "plico/mesh/mesh.h"
+#include "plico/mesh/paint.h"
 #include "plico/workflow/jobs/job.h"
 #include "plico/workflow/jobs/session.h"
 
@@ -15,6 +16,14 @@ Job& add_repair_option(Job& job, std::string& repair);
 // Says every repair on standard error and in the report ("repairs"). Throws InvalidInput for what remains wrong, with
 // its place in the file when nothing was repaired before.
 Mesh read_mesh(const std::string& path, const std::string& repair, Session& session);
+
+// The same with the colours and pictures of the file and of files beside it; what of them is left out is told.
+struct PaintedMesh {
+  Mesh mesh;
+  Paint paint;
+};
+PaintedMesh read_painted_mesh(const std::string& path, const std::string& repair, Session& session);
+Paint read_paint_of(const std::string& path, Session& session);  // of a file that was read already
 
 // Warns at once of a mesh that nobody can fold by hand: what it takes, and how to make it smaller.
 inline constexpr int kFarTooMany = 20'000;  // faces

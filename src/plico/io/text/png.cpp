@@ -1,4 +1,4 @@
-#include "plico/io/motion/png.h"
+#include "plico/io/text/png.h"
 
 #include <zlib.h>
 
@@ -20,11 +20,11 @@ void append_chunk(std::string& png, const std::string& name, const std::string& 
                              crc32(0, reinterpret_cast<const Bytef*>(body.data()), static_cast<uInt>(body.size()))));
 }
 
-std::string compressed(const std::string& bytes) {
+std::string compressed(const std::string& bytes, int effort) {
   uLongf size = compressBound(bytes.size());
   std::string result(size, '\0');
   const int status = compress2(reinterpret_cast<Bytef*>(result.data()), &size,
-                               reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), Z_BEST_COMPRESSION);
+                               reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), effort);
   PLICO_ASSERT(status == Z_OK);
   result.resize(size);
   return result;
@@ -45,14 +45,14 @@ std::string filtered_rows(const Picture& picture) {
 
 }  // namespace
 
-std::string write_png(const Picture& picture) {
+std::string write_png(const Picture& picture, int effort) {
   PLICO_ASSERT(picture.rgba.size() == std::size_t{4} * picture.width * picture.height);
   std::string png = "\x89PNG\r\n\x1a\n", header;
   append_big_endian(header, static_cast<std::uint32_t>(picture.width));
   append_big_endian(header, static_cast<std::uint32_t>(picture.height));
   header += std::string("\x08\x06\x00\x00\x00", 5);  // 8 bits, RGBA, standard compression and filters, not interlaced
   append_chunk(png, "IHDR", header);
-  append_chunk(png, "IDAT", compressed(filtered_rows(picture)));
+  append_chunk(png, "IDAT", compressed(filtered_rows(picture), effort));
   append_chunk(png, "IEND", "");
   return png;
 }
