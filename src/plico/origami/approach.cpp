@@ -3,14 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 
 #include "plico/base/error.h"
+#include "plico/motion/contacts.h"
 
 namespace plico {
 namespace {
 
 constexpr double kThere = 1e-9;      // radians: a goal that closes, and one that is reached
 constexpr double kFirstMove = 0.03;  // of the goal: the step that leaves flat
+constexpr int kContactRounds = 8;    // in which one step may meet more panels
+constexpr int kSweeps = 200;         // of Gauss-Seidel
+constexpr double kNoPush = 1e-14;    // of the largest push
 constexpr double kLeastTurn = 1e-5;  // radians: a first step that turns less has not left flat
 
 void check(const ApproachOptions& o) {
@@ -31,6 +36,9 @@ class Approach {
         goal_(goal(linkage_)),
         projector_(linkage),
         checker_(linkage_, options.collision),
+        plates_(make_plates(linkage, checker_.clearance())),
+        margin_(0.5 * checker_.clearance()),
+        reach_(0.5 * mean_side_length(linkage)),
         max_move_(kPi / options.frames) {
     const int creases = linkage_.num_hinges();
     projection_.low.resize(creases);
@@ -105,17 +113,69 @@ class Approach {
         result.path.waypoints.push_back({0, goal_});
         return true;
       }
-    const Configuration way = projector_.tangent(at, rest, projection_);
-    const double turn = way.cwiseAbs().maxCoeff();
     result.obstacle = Obstacle::None;
-    for (double move = std::min(turn, max_move_); move > options_.min_move; move /= 2) {
+    Configuration way = way_apart(at, rest, max_move_);
+    double most = max_move_;
+    for (int round = 0; std::min(most, way.cwiseAbs().maxCoeff()) > options_.min_move; ++round) {
+      const double turn = way.cwiseAbs().maxCoeff(), move = std::min(turn, most);
       std::optional<Configuration> next = frame(result, at, at + move / turn * way, 2 * move);
-      if (!next || (*next - at).cwiseAbs().maxCoeff() < options_.min_move / 2) continue;
-      result.path.waypoints.push_back({0, std::move(*next)});
-      return true;
+      if (next && (*next - at).cwiseAbs().maxCoeff() >= options_.min_move / 2) {
+        result.path.waypoints.push_back({0, std::move(*next)});
+        return true;
+      }
+      if (next || round >= kContactRounds || !meets_more()) {
+        most = move / 2;
+        round = 0;
+        colliding_.clear();
+        if (near_.empty()) continue;
+      }
+      way = way_apart(at, rest, most);
     }
     if (result.obstacle != Obstacle::Collision) stand_still(result);
     return false;
+  }
+
+  // The pairs that collided in the last frame join those to be kept apart; true when there are new ones.
+  bool meets_more() {
+    const std::size_t before = near_.size();
+    near_.insert(colliding_.begin(), colliding_.end());
+    colliding_.clear();
+    return near_.size() > before;
+  }
+
+  // The way to the goal that keeps loops closed to first order, and panels that are near each other apart: of the
+  // smallest weighted distance from the straight one. `most` is how far a crease will turn, radians.
+  Configuration way_apart(const Configuration& at, const Configuration& rest, double most) {
+    near_.insert(options_.watched.begin(), options_.watched.end());
+    const std::vector<PanelPair> pairs(near_.begin(), near_.end());
+    std::vector<Contact> met = contacts(linkage_, plates_, at, pairs, reach_);
+    near_.clear();
+    for (const Contact& contact : met) near_.insert(contact.panels);
+    const int count = static_cast<int>(met.size());
+    Eigen::MatrixXd directions(at.size(), 1 + count), slopes(at.size(), count);
+    directions.col(0) = rest;
+    for (int i = 0; i < count; ++i) {
+      slopes.col(i) = met[i].slope;
+      directions.col(1 + i) = met[i].slope.cwiseQuotient(projection_.weight);
+    }
+    const Eigen::MatrixXd tangents = projector_.tangents(at, directions, projection_);
+    const Configuration way = tangents.col(0);
+    if (count == 0) return way;
+    const double share = std::min(1.0, most / std::max(kLeastTurn, way.cwiseAbs().maxCoeff()));
+    Eigen::VectorXd lacking = -(slopes.transpose() * way);
+    for (int i = 0; i < count; ++i) lacking[i] -= (met[i].apart - margin_) / share;
+    const Eigen::MatrixXd pushes = tangents.rightCols(count);
+    return way + pushes * multipliers(slopes.transpose() * pushes, lacking);
+  }
+
+  // x >= 0 with kept * x >= lacking, and equal where x > 0, by projected Gauss-Seidel.
+  static Eigen::VectorXd multipliers(const Eigen::MatrixXd& kept, const Eigen::VectorXd& lacking) {
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(lacking.size());
+    const double least = kNoPush * kept.cwiseAbs().maxCoeff();  // a contact that no way to fold can part
+    for (int sweep = 0; sweep < kSweeps; ++sweep)
+      for (int i = 0; i < x.size(); ++i)
+        if (kept(i, i) > least) x[i] = std::max(0.0, x[i] + (lacking[i] - kept.row(i).dot(x)) / kept(i, i));
+    return x;
   }
 
   // The foldable configuration near `guess` if it may follow `from`.
@@ -129,7 +189,8 @@ class Approach {
     if (!(distance(found.config) < distance(from))) return {};
     if (options_.check_collisions && checker_.collides(found.config)) {
       result.obstacle = Obstacle::Collision;
-      result.panels = checker_.collisions(found.config).front();
+      colliding_ = checker_.collisions(found.config);
+      result.panels = colliding_.front();
       return {};
     }
     PLICO_ASSERT(hinge_beyond_limits(linkage_, found.config) < 0);
@@ -165,6 +226,10 @@ class Approach {
   Configuration goal_;
   Projector projector_;
   CollisionChecker checker_;
+  Plates plates_;
+  double margin_, reach_;  // units: what is to be between panels that are near each other; farther is not near
+  std::set<PanelPair> near_;
+  std::vector<PanelPair> colliding_;  // in the last frame
   double max_move_;
   ProjectOptions projection_;
   bool goal_closes_ = false;

@@ -14,14 +14,16 @@ struct ApproachOptions {
   double damping = 1e-9;      // of the projection: what opens the sheet by less than its root counts as closed; above 0
   bool check_collisions = true;
   CollisionOptions collision = {};
+  std::vector<PanelPair> watched = {};  // kept apart wherever they are near each other, also before they collide
 };
 
 // Descends from the end of `begun` (from flat when it has less than two waypoints) along the foldable configurations:
-// every step goes along the part of the way to the goal that keeps all loops closed to first order, is projected to the
-// closure, and must come nearer to the goal in the least squares of `facet_weight`. It ends at the goal (Found), where
-// no step comes nearer (GoalOpen when the goal does not close, else Locked), at a collision, or after max_waypoints
-// (Obstacle::None, Exhausted). The path goes on from `begun`, its times are lengths of the way, 1 at the end;
-// `progress` is share_of_way. Deterministic. O(waypoints) projections and collision checks.
+// every step goes along the part of the way to the goal that keeps all loops closed to first order, and panels that
+// would collide apart (motion/contacts.h: they slide along each other), is projected to the closure, and must come
+// nearer to the goal in the least squares of `facet_weight`. It ends at the goal (Found), where no step comes nearer
+// (GoalOpen when the goal does not close, else Locked), where panels in contact leave no other way, or after
+// max_waypoints (Obstacle::None, Exhausted). The path goes on from `begun`, its times are lengths of the way, 1 at the
+// end; `progress` is share_of_way. Deterministic. O(waypoints) projections and collision checks.
 ContinuationResult approach_goal(const Linkage& linkage, const FoldingPath& begun, const ApproachOptions& options = {},
                                  const Run& run = {});
 inline ContinuationResult approach_goal(const CreasePattern& sheet, const FoldingPath& begun,

@@ -29,25 +29,35 @@ Projection relax(Projector& projector, const Configuration& target, ProjectOptio
   return projector.project(at, options, run);
 }
 
+ProjectOptions on_their_sides(const Linkage& linkage, ProjectOptions options) {
+  for (int h = 0; h < linkage.num_hinges(); ++h) {
+    if (linkage.hinges[h].target > 0) options.low[h] = std::max(0.0, options.low[h]);
+    if (linkage.hinges[h].target < 0) options.high[h] = std::min(0.0, options.high[h]);
+  }
+  return options;
+}
+
 Linkage with_flat_goal(Linkage linkage) {
   for (Hinge& hinge : linkage.hinges) hinge.target = 0;
   return linkage;
 }
 
-}  // namespace
-
-ContinuationResult start_elastically(const Linkage& linkage, const ElasticOptions& elastic,
-                                     const ApproachOptions& options, const Run& run) {
-  require(elastic.share > 0 && elastic.share <= 1, "share", elastic.share, "in (0, 1]");
-  require(elastic.softest > 0 && elastic.softest < 1, "softest", elastic.softest, "in (0, 1)");
-  require_closable(linkage);
-  ContinuationResult result;
-  result.path.waypoints = {{0, flat(linkage)}};
-  Projector projector(linkage);
-  ProjectOptions projection{.low = lower_limits(linkage), .high = upper_limits(linkage)};
+ProjectOptions projection_of(const Linkage& linkage, const ApproachOptions& options) {
+  ProjectOptions projection;
+  projection.low = lower_limits(linkage);
+  projection.high = upper_limits(linkage);
   projection.weight = Configuration::Ones(linkage.num_hinges());
   for (int h = 0; h < linkage.num_hinges(); ++h)
     if (linkage.hinges[h].target == 0) projection.weight[h] = options.facet_weight;
+  return projection;
+}
+
+// The motion from flat to a state that creases were pulled to; flat alone when there is none.
+ContinuationResult start_within(const Linkage& linkage, const ElasticOptions& elastic, const ProjectOptions& projection,
+                                const ApproachOptions& options, const Run& run) {
+  ContinuationResult result;
+  result.path.waypoints = {{0, flat(linkage)}};
+  Projector projector(linkage);
   const Projection state = relax(projector, elastic.share * goal(linkage), projection, elastic.softest, run);
   if (run.over() || state.closure.worst > kClosedWell || state.config.cwiseAbs().maxCoeff() < kLeastFolded)
     return result;
@@ -66,6 +76,21 @@ ContinuationResult start_elastically(const Linkage& linkage, const ElasticOption
   result.path = std::move(unfolded.path);
   result.progress = share_of_way(linkage, result.path.waypoints.back().config);
   return result;
+}
+
+}  // namespace
+
+ContinuationResult start_elastically(const Linkage& linkage, const ElasticOptions& elastic,
+                                     const ApproachOptions& options, const Run& run) {
+  require(elastic.share > 0 && elastic.share <= 1, "share", elastic.share, "in (0, 1]");
+  require(elastic.softest > 0 && elastic.softest < 1, "softest", elastic.softest, "in (0, 1)");
+  require_closable(linkage);
+  const ProjectOptions projection = projection_of(linkage, options);
+  if (options.keep_sides) {
+    ContinuationResult sided = start_within(linkage, elastic, on_their_sides(linkage, projection), options, run);
+    if (sided.path.waypoints.size() > 1 || !elastic.may_turn_back) return sided;
+  }
+  return start_within(linkage, elastic, projection, options, run);
 }
 
 }  // namespace plico

@@ -189,9 +189,10 @@ namespace {
 // limits at once.
 template <class Equations, class Right, class Step>
 Configuration solve_within(Equations& equations, const Limits& limits, const Configuration& at,
-                           const Configuration& damping, const Right& right, const Step& step) {
+                           const Configuration& damping, const Right& right, const Step& step,
+                           std::vector<char>& held) {
   equations.linearize(at);
-  std::vector<char> held(at.size(), 0);
+  held.assign(at.size(), 0);
   for (int h = 0; h < at.size(); ++h) held[h] = limits.held(h) ? 1 : 0;
   for (int round = 0;; ++round) {
     Configuration rhs = right(held);
@@ -236,10 +237,11 @@ Projection Projector::project(const Configuration& start, const ProjectOptions& 
   result.config = limits.clamp(start);
   double size = equations_->squared_residual(result.config);
   const Configuration begun = result.config;
+  std::vector<char> held;
   while (equations_->worst_residual() > options.tolerance && result.steps < options.max_steps && !run.over()) {
     Configuration direction = solve_within(
         *equations_, limits, result.config, damping, [&](const std::vector<char>&) { return equations_->gradient(); },
-        [](const Configuration& x) { return Configuration(-x); });
+        [](const Configuration& x) { return Configuration(-x); }, held);
     const double longest = direction.cwiseAbs().maxCoeff();
     if (longest > options.max_step) direction *= options.max_step / longest;
     ++result.steps;
@@ -262,16 +264,31 @@ Projection Projector::project(const Configuration& start, const ProjectOptions& 
 
 Configuration Projector::tangent(const Configuration& at, const Configuration& direction,
                                  const ProjectOptions& options) {
+  return tangents(at, direction, options);
+}
+
+Eigen::MatrixXd Projector::tangents(const Configuration& at, const Eigen::MatrixXd& directions,
+                                    const ProjectOptions& options) {
   check(options);
   const Limits limits = limits_of(options, num_creases());
-  const auto free_part = [&](const std::vector<char>& held) {
-    Configuration free = direction;
-    for (int h = 0; h < free.size(); ++h)
-      if (held[h]) free[h] = 0;
-    return equations_->normal_times(free);
+  std::vector<char> held;
+  const auto without_held = [&](Configuration vector) {
+    for (int h = 0; h < vector.size(); ++h)
+      if (held[h]) vector[h] = 0;
+    return vector;
   };
-  return solve_within(*equations_, limits, at, damping_of(options, num_creases()), free_part,
-                      [&](const Configuration& x) { return Configuration(direction - x); });
+  Eigen::MatrixXd result(directions.rows(), directions.cols());
+  for (int i = 0; i < directions.cols(); ++i) {
+    const Configuration direction = directions.col(i);
+    const auto right = [&](const std::vector<char>&) { return equations_->normal_times(without_held(direction)); };
+    if (i == 0)
+      result.col(i) = solve_within(
+          *equations_, limits, at, damping_of(options, num_creases()), right,
+          [&](const Configuration& x) { return Configuration(direction - x); }, held);
+    else
+      result.col(i) = without_held(direction - equations_->solve(without_held(right(held))));
+  }
+  return result;
 }
 
 std::vector<RealVertex> grouped(std::vector<RealVertex> vertices, const std::vector<int>& group,

@@ -52,6 +52,9 @@ class Projector {
 
   // The part of `direction` that keeps every loop closed to first order at `at`; limits hold creases as in `project`.
   Configuration tangent(const Configuration& at, const Configuration& direction, const ProjectOptions& options = {});
+  // The same of several directions, one a column. The creases that the limits hold are those of the first.
+  Eigen::MatrixXd tangents(const Configuration& at, const Eigen::MatrixXd& directions,
+                           const ProjectOptions& options = {});
 
  private:
   class Equations;

@@ -20,10 +20,13 @@ constexpr int kMostCuts = 6;             // of a path at its end, until the proo
 constexpr double kWorthCutting = 0.01;   // of the way: what facets must gain
 constexpr double kFarEnough = 0.98;      // of the way: then panels are not cut
 constexpr double kNearFlat = 0.3;        // of the way: then creases may also turn against their goal on the way
+constexpr double kPulledBelow = 0.8;     // of the way: then states are looked for that creases are pulled to
+constexpr double kFewWays = 0.5;         // of the way: then pulled creases may also go to the other side
 constexpr double kPulledTo[] = {0.1, 0.3, 0.6};
 constexpr double kSearchTime = 0.5;       // of what is left: the rest is for the proof
 constexpr double kFirstSearchTime = 0.7;  // of that, for a search that others follow
 constexpr double kWholeTime = 0.4;        // of what is left, for whole panels when facets come next
+constexpr int kGoRounds = 8;              // of panels that the proof met
 constexpr double kShort = radians(0.5);
 constexpr double kBends = 1e-9;  // radians
 constexpr int kMostNamed = 3;
@@ -103,12 +106,15 @@ std::string bends_note(const std::vector<double>& bends) {
 // Where no first step out of flat leads far, states pulled to shares of the goal may.
 void start_otherwise(const Linkage& linkage, const ApproachOptions& approach, const Run& run,
                      ContinuationResult& found) {
+  ElasticOptions elastic;
+  elastic.may_turn_back = !approach.keep_sides;
   for (const double share : kPulledTo) {
+    elastic.share = share;
     if (run.over()) return;
-    const ContinuationResult begun = start_elastically(linkage, {.share = share}, approach, run);
+    const ContinuationResult begun = start_elastically(linkage, elastic, approach, run);
     if (begun.path.waypoints.size() < 2) continue;
     ContinuationResult far = approach_goal(linkage, begun.path, approach, run);
-    if (far.progress > found.progress + kWorthCutting) found = std::move(far);
+    if (far.progress > found.progress) found = std::move(far);
   }
 }
 
@@ -145,14 +151,45 @@ Motion shown_part(const Linkage& linkage, const Motion& motion) {
 ContinuationResult search_far(const Linkage& linkage, const FoldingPath& begun, ApproachOptions approach, bool may_pull,
                               const Run& run) {
   ContinuationResult found = approach_goal(linkage, begun, approach, share_of_time(run, kFirstSearchTime));
+  const ApproachOptions straight = approach;
   const bool starts_flat = begun.waypoints.size() < 2;
   if (starts_flat && found.ending != Ending::Found && found.progress < kNearFlat && !run.over()) {
     approach.keep_sides = false;
     ContinuationResult free = approach_goal(linkage, begun, approach, share_of_time(run, kFirstSearchTime));
     if (free.progress > found.progress) found = std::move(free);
   }
-  if (may_pull && starts_flat && found.progress < kNearFlat) start_otherwise(linkage, approach, run, found);
+  if (!may_pull || !starts_flat || found.progress > kPulledBelow) return found;
+  start_otherwise(linkage, straight, run, found);
+  if (found.progress < kFewWays) start_otherwise(linkage, approach, run, found);
   return found;
+}
+
+bool on_its_sides(const Linkage& linkage, const Configuration& config) {
+  for (int h = 0; h < linkage.num_hinges(); ++h)
+    if (config[h] * linkage.hinges[h].target < 0) return false;
+  return true;
+}
+
+// What the proof found between two waypoints, the search did not see. So it goes on from a little before, and keeps
+// these panels apart from there on.
+void go_round(const Linkage& linkage, ApproachOptions approach, double clearance, const Run& run,
+              std::vector<PanelPair>& met, ContinuationResult& found, Motion& motion) {
+  const auto share = [&](const FoldingPath& path) {
+    return path.waypoints.size() < 2 ? 0 : share_of_way(linkage, path.waypoints.back().config);
+  };
+  approach.keep_sides = on_its_sides(linkage, found.path.waypoints.back().config);
+  for (int round = 0; round < kGoRounds && !met.empty() && !run.over(); ++round) {
+    FoldingPath begun = motion.path;
+    if (begun.waypoints.size() < 2) return;
+    begun.waypoints.resize(std::max<std::size_t>(2, begun.waypoints.size() * 9 / 10));
+    approach.watched.insert(approach.watched.end(), met.begin(), met.end());
+    met.clear();
+    ContinuationResult on = approach_goal(linkage, begun, approach, share_of_time(run, kSearchTime));
+    Motion shown = prove_as_far(linkage, on.path, motion.method, clearance, run, &met);
+    if (!(share(shown.path) > share(motion.path))) return;
+    found = std::move(on);
+    motion = std::move(shown);
+  }
 }
 
 FarMotion go_on(const Linkage& linkage, const FoldingPath& begun, const MotionOptions& options, bool may_pull,
@@ -161,10 +198,13 @@ FarMotion go_on(const Linkage& linkage, const FoldingPath& begun, const MotionOp
   ApproachOptions approach;
   approach.frames = options.waypoints;
   approach.collision.clearance = clearance;
-  const ContinuationResult found = search_far(linkage, begun, approach, may_pull, share_of_time(run, kSearchTime));
+  ContinuationResult found = search_far(linkage, begun, approach, may_pull, share_of_time(run, kSearchTime));
   FarMotion result;
-  if (found.path.waypoints.size() > 1)
-    result.motion = prove_as_far(linkage, found.path, MotionMethod::Continuation, clearance, run);
+  if (found.path.waypoints.size() > 1) {
+    std::vector<PanelPair> met;
+    result.motion = prove_as_far(linkage, found.path, MotionMethod::Continuation, clearance, run, &met);
+    go_round(linkage, approach, clearance, run, met, found, result.motion);
+  }
   result.timed_out = run.over() || found.ending == Ending::TimedOut;
   if (result.motion.path.waypoints.size() > 1 && result.motion.proof.verdict == PathVerdict::Free) {
     const Configuration& end = result.motion.path.waypoints.back().config;
@@ -197,7 +237,7 @@ Run share_of_time(const Run& run, double share) {
 }
 
 Motion prove_as_far(const Linkage& linkage, const FoldingPath& planned, MotionMethod method, double clearance,
-                    const Run& run) {
+                    const Run& run, std::vector<PanelPair>* met) {
   Motion motion{method, planned, {}};
   stretch_times(motion.path);
   motion.path = refine_path(linkage, motion.path, kOpening * clearance, share_of_time(run, kRefineTime));
@@ -206,6 +246,9 @@ Motion prove_as_far(const Linkage& linkage, const FoldingPath& planned, MotionMe
   for (int cuts = 0; cuts <= kMostCuts && motion.path.waypoints.size() > 1; ++cuts) {
     motion.proof = prove_path(linkage, motion.path, {.clearance = clearance, .max_looks = kMostLooks}, run);
     if (motion.proof.verdict == PathVerdict::Free) return motion;
+    if (met && motion.proof.panel_a >= 0)
+      met->push_back(
+          {std::min(motion.proof.panel_a, motion.proof.panel_b), std::max(motion.proof.panel_a, motion.proof.panel_b)});
     Motion part = shown_part(linkage, motion);
     // Proven once more by itself, as a judge will who sees no more than this part.
     motion.path = part.path;

@@ -1,6 +1,7 @@
 // The motion of a sheet that cannot reach its goal: as far as it goes, with whole panels or with panels cut by flat
 // creases.
 #pragma once
+#include "plico/motion/collision.h"
 #include "plico/workflow/plan_motion.h"
 
 namespace plico {
@@ -21,8 +22,9 @@ Run share_of_time(const Run& run, double share);
 
 // The part of a planned motion that can be proven: waypoints are inserted until hinges open by little (refine_path),
 // and what comes after the first moment that the proof refuses is left off. `clearance` in units.
+// `met` (may be null) gets the panels that the proof could not tell apart.
 Motion prove_as_far(const Linkage& linkage, const FoldingPath& planned, MotionMethod method, double clearance,
-                    const Run& run = {});
+                    const Run& run = {}, std::vector<PanelPair>* met = nullptr);
 
 // `begun` is a path that stops early; the sheet goes on from there (origami/approach.h). Cuts panels (origami/facets.h)
 // of `sheet`, that the linkage was made from, as options.facets says: Auto when that brings the sheet farther than

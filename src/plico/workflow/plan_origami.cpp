@@ -17,6 +17,8 @@ namespace {
 constexpr double kGapShare = 0.2;     // of the clearance, that hinges may open by between waypoints
 constexpr int kMostPieces = 64;       // that one step is cut into at once
 constexpr int kRefinements = 3;       // the first does nearly all; the others meet steps that were not straight
+constexpr double kTreeTime = 0.5;     // of what is left, for the planners of sheets without loops
+constexpr double kClosed = 1e-9;      // radians, of every waypoint
 constexpr double kLimitSlack = 1e-9;  // radians
 constexpr double kOvershoot = 10;     // times what a goal may move: a search that strays farther will not come back
 constexpr int kMostLimitedNamed = 3;
@@ -336,7 +338,7 @@ std::vector<Waypoint> between(Projector& projector, const ProjectOptions& within
     const double share = static_cast<double>(i) / pieces;
     const Configuration straight = (1 - share) * a.config + share * b.config;
     Projection projection = projector.project(straight, within, run);
-    if (!projection.closed || (projection.config - straight).cwiseAbs().maxCoeff() > most) return {};
+    if (projection.closure.worst > kClosed || (projection.config - straight).cwiseAbs().maxCoeff() > most) return {};
     inserted.push_back({(1 - share) * a.time + share * b.time, std::move(projection.config)});
   }
   return inserted;
@@ -373,9 +375,26 @@ MotionOutcome plan_loops(const Linkage& linkage, const MotionOptions& options, c
   return OrigamiPlanning(linkage, {}, options, run).plan();
 }
 
+namespace {
+
+// What no planner folds to the goal still goes as far as it can.
+MotionOutcome fold_tree(const Linkage& linkage, const MotionOptions& options, const Run& run) {
+  MotionOutcome outcome = plan(linkage, options, share_of_time(run, kTreeTime));
+  if (outcome.proven() || options.method != MotionMethod::Auto || linkage.thickness > 0 || run.over()) return outcome;
+  FarMotion far = go_as_far(linkage, nullptr, {}, options, run);
+  if (far.motion.path.waypoints.size() < 2) return outcome;
+  outcome.notes.insert(outcome.notes.end(), far.notes.begin(), far.notes.end());
+  outcome.ending = far.reached ? Ending::Found : Ending::Exhausted;
+  outcome.progress = far.share;
+  outcome.motions = {std::move(far.motion)};
+  return outcome;
+}
+
+}  // namespace
+
 MotionOutcome plan_origami(const CreasePattern& sheet, const MotionOptions& options, const Run& run) {
   const Linkage linkage = make_linkage(sheet);
-  if (!linkage.has_loops()) return plan(linkage, options, run);
+  if (!linkage.has_loops()) return fold_tree(linkage, options, run);
   check(options);
   return OrigamiPlanning(linkage, sheet, options, run).plan();
 }

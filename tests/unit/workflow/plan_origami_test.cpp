@@ -66,11 +66,13 @@ TEST(PlanOrigami, AGoalThatIsNotRigidGetsItsVertexAndTheWayToTheNearestState) {
   EXPECT_THAT(outcome.notes.front(), StartsWith("not rigid: the goal stays open by"));
 }
 
-TEST(PlanOrigami, ACollisionEndsTheMotionBeforeIt) {
+// The straight way ends where the tube closes; from there its ends slide along each other.
+TEST(PlanOrigami, WhatCollidesStraightOnSlidesAlongAsFarAsItGoes) {
   const MotionOutcome outcome = plan_origami(waterbomb({.columns = 12, .rows = 4, .diagonal_angle = radians(55)}));
   EXPECT_EQ(outcome.ending, Ending::Exhausted);
   ASSERT_TRUE(outcome.proven());
-  EXPECT_NEAR(outcome.progress, 49.28 / 55, 0.03);
+  EXPECT_GT(outcome.progress, 49.28 / 55);
+  EXPECT_LT(outcome.progress, 1);
   EXPECT_EQ(outcome.motions.front().path.waypoints.back().time, 1);
   EXPECT_THAT(outcome.notes.front(), StartsWith("collides after"));
   EXPECT_THAT(outcome.notes, testing::Contains(StartsWith("the goal collides with itself")));
