@@ -264,8 +264,8 @@ class GltfReader {
   }
 
   VertexLooks vertex_looks(const json& primitive, const json& attributes, int count) {
-    VertexLooks looks{std::vector<Vec2>(count, Vec2::Constant(std::numeric_limits<double>::quiet_NaN())),
-                      std::vector<Color>(count, kWhite), primitive.value("material", -1)};
+    VertexLooks looks{std::vector<Vec2>(count, kNoUv), std::vector<Color>(count, kWhite),
+                      primitive.value("material", -1)};
     if (looks.material >= static_cast<int>(source_.looks.materials.size())) looks.material = -1;
     if (attributes.contains("TEXCOORD_0")) {
       const Accessor from = accessor(attributes["TEXCOORD_0"].get<int>(), "VEC2", 2);

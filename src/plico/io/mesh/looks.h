@@ -1,12 +1,14 @@
 // What a file says about the looks of its faces, before pictures beside it are read.
 #pragma once
-#include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "plico/base/picture.h"
 
 namespace plico {
+
+inline const Vec2 kNoUv = Vec2::Constant(std::numeric_limits<double>::quiet_NaN());
 
 struct Material {
   std::string name = {};
@@ -21,7 +23,7 @@ struct Looks {
   std::vector<std::string> libraries;  // files of materials, as written
   std::vector<Material> materials;     // of an OBJ file only names, until its libraries are read
   std::vector<int> material;           // of each face, -1 for none; may be shorter than there are faces
-  std::vector<Vec2> uv;                // of each corner of the soup, not numbers where there is none; or empty
+  std::vector<Vec2> uv;                // of each corner of the soup, kNoUv where there is none; or empty
   std::vector<Color> colors;           // of each corner; or empty
 
   int number_of(const std::string& name);  // of the material of that name, a new one when there is none

@@ -107,10 +107,9 @@ class ObjReader {
   // Texture points may stand after the faces that use them.
   void add_looks() {
     Looks& looks = source_.looks;
-    const Vec2 none = Vec2::Constant(std::numeric_limits<double>::quiet_NaN());
     const auto known = [&](int t) { return t >= 0 && t < static_cast<int>(texture_points_.size()); };
     if (std::ranges::any_of(corner_texture_, known))
-      for (const int t : corner_texture_) looks.uv.push_back(known(t) ? texture_points_[t] : none);
+      for (const int t : corner_texture_) looks.uv.push_back(known(t) ? texture_points_[t] : kNoUv);
     if (has_colors_)
       for (const int v : source_.soup.corners) looks.colors.push_back(point_colors_[v]);
     if (looks.materials.empty()) looks.material.clear();

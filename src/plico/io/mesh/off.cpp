@@ -83,7 +83,28 @@ class OffReader {
       source_.soup.corners.push_back(v);
     }
     source_.soup.offsets.push_back(static_cast<int>(source_.soup.corners.size()));
-    while (scan_.more_on_line()) scan_.word();  // colour
+    read_face_color(size);
+  }
+
+  // Three or four numbers: bytes when they are whole, else in [0, 1]. A single one is an index into a table nobody has.
+  void read_face_color(int size) {
+    std::vector<double> numbers;
+    bool whole = true;
+    while (scan_.more_on_line()) {
+      const std::string_view word = scan_.word();
+      double number = 0;
+      if (!parse_number(word, number) || !(number >= 0 && number <= 255)) numbers.assign(5, 0);
+      numbers.push_back(number);
+      whole = whole && word.find_first_not_of("0123456789") == std::string_view::npos;
+    }
+    const bool is_color = numbers.size() == 3 || numbers.size() == 4;
+    std::vector<Color>& colors = source_.looks.colors;
+    if (!is_color && colors.empty()) return;
+    colors.resize(source_.soup.corners.size() - size, kWhite);  // of the faces before, when this is the first
+    const double most = whole ? 255 : 1;
+    Color color = kWhite;
+    for (std::size_t k = 0; is_color && k < 3; ++k) color[k] = std::min(numbers[k] / most, 1.0);
+    colors.resize(source_.soup.corners.size(), color);
   }
 
   [[noreturn]] void truncated(const char* what, int have, int promised) const {

@@ -54,9 +54,34 @@ struct Element {
 struct Header {
   PlyEncoding encoding = PlyEncoding::Text;
   std::vector<Element> elements;
+  std::string picture;   // of the comment TextureFile, which scanners write
   std::size_t size = 0;  // bytes
   int lines = 0;
 };
+
+// What one counts in a file of colours: bytes, 16 bits, or in [0, 1].
+double color_scale(Scalar type) { return type == Scalar::Uint8 ? 255 : type == Scalar::Uint16 ? 65535 : 1; }
+
+// Where an element has the first of these names that it has; -1 for none.
+int find_any(const Element& element, std::initializer_list<std::string_view> names) {
+  for (const std::string_view name : names)
+    if (const int at = element.find(name); at >= 0 && !element.properties[static_cast<std::size_t>(at)].is_list)
+      return at;
+  return -1;
+}
+
+// The properties with a colour, or with (u, v); all -1 when one is missing.
+std::array<int, 3> color_of(const Element& element) {
+  const std::array<int, 3> rgb{find_any(element, {"red", "r", "diffuse_red"}),
+                               find_any(element, {"green", "g", "diffuse_green"}),
+                               find_any(element, {"blue", "b", "diffuse_blue"})};
+  return std::ranges::min(rgb) < 0 ? std::array{-1, -1, -1} : rgb;
+}
+
+std::array<int, 2> uv_of(const Element& element) {
+  const std::array<int, 2> uv{find_any(element, {"s", "u", "texture_u"}), find_any(element, {"t", "v", "texture_v"})};
+  return std::ranges::min(uv) < 0 ? std::array{-1, -1} : uv;
+}
 
 // The header alone is text even in a binary file, so it is scanned apart.
 class HeaderReader {
@@ -74,7 +99,9 @@ class HeaderReader {
         read_element();
       } else if (word == "property") {
         read_property();
-      } else if (word != "comment" && word != "obj_info") {
+      } else if (word == "comment") {
+        read_comment();
+      } else if (word != "obj_info") {
         scan_.fail("read/syntax", fmt::format("{} is no line of a PLY header", quoted_word(word)));
       }
       scan_.skip_line();
@@ -98,6 +125,12 @@ class HeaderReader {
     } else {
       scan_.fail("read/format", fmt::format("PLY format {} is none we know", quoted_word(word)));
     }
+  }
+
+  void read_comment() {
+    constexpr std::string_view kPicture = "TextureFile ";
+    const std::string_view text = scan_.rest_of_line();
+    if (text.starts_with(kPicture) && header_.picture.empty()) header_.picture = text.substr(kPicture.size());
   }
 
   void read_element() {
@@ -217,22 +250,39 @@ class BodyReader {
     }
     if (!body_.at_end()) body_.fail("read/counts", "more follows after the elements that the header counts");
     check_indices();
+    add_looks();
   }
 
  private:
   void read_vertices(const Element& element) {
     const std::array<int, 3> xyz = {element.find("x"), element.find("y"), element.find("z")};
     if (*std::min_element(xyz.begin(), xyz.end()) < 0) body_.fail("read/syntax", "the PLY vertices have no x, y and z");
+    const std::array<int, 3> rgb = color_of(element);
+    const std::array<int, 2> uv = uv_of(element);
+    std::vector<double> row;
     for (int i = 0; i < element.count; ++i) {
       source_.point_place.push_back(body_.place());
-      Vec3 p = Vec3::Zero();
-      for (std::size_t k = 0; k < element.properties.size(); ++k) {
-        const double value = pass(element.properties[k]);
-        for (int axis = 0; axis < 3; ++axis)
-          if (xyz[static_cast<std::size_t>(axis)] == static_cast<int>(k)) p[axis] = value;
-      }
-      source_.soup.points.push_back(p);
+      read_row(element, row);
+      const auto value = [&](int k) { return row[static_cast<std::size_t>(k)]; };
+      source_.soup.points.emplace_back(value(xyz[0]), value(xyz[1]), value(xyz[2]));
+      if (rgb[0] >= 0) point_colors_.push_back(color(element, rgb, row));
+      if (uv[0] >= 0) point_uv_.emplace_back(value(uv[0]), value(uv[1]));
     }
+  }
+
+  void read_row(const Element& element, std::vector<double>& row) {
+    row.clear();
+    for (const Property& property : element.properties) row.push_back(pass(property));
+  }
+
+  static Color color(const Element& element, const std::array<int, 3>& rgb, const std::vector<double>& row) {
+    Color result;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto at = static_cast<std::size_t>(rgb[k]);
+      const double value = row[at] / color_scale(element.properties[at].type);
+      result[k] = value >= 0 ? std::min(value, 1.0) : 0;
+    }
+    return result;
   }
 
   void read_faces(const Element& element) {
@@ -240,12 +290,53 @@ class BodyReader {
     if (list < 0) list = element.find("vertex_index");
     if (list < 0 || !element.properties[static_cast<std::size_t>(list)].is_list)
       body_.fail("read/syntax", "the PLY faces have no list vertex_indices");
+    const std::array<int, 3> rgb = color_of(element);
+    std::vector<double> row(element.properties.size());
     for (int i = 0; i < element.count; ++i) {
       source_.face_place.push_back(body_.place());
-      for (std::size_t k = 0; k < element.properties.size(); ++k)
-        static_cast<int>(k) == list ? read_corners(element.properties[k]) : void(pass(element.properties[k]));
+      corner_uv_.clear();
+      for (std::size_t k = 0; k < element.properties.size(); ++k) {
+        const Property& property = element.properties[k];
+        if (static_cast<int>(k) == list)
+          read_corners(property);
+        else if (property.is_list && property.name == "texcoord")
+          read_texture_points(property);
+        else
+          row[k] = pass(property);
+      }
       source_.soup.offsets.push_back(static_cast<int>(source_.soup.corners.size()));
+      if (rgb[0] >= 0) source_.looks.colors.resize(source_.soup.corners.size(), color(element, rgb, row));
+      add_corner_uv();
     }
+  }
+
+  void read_texture_points(const Property& list) {
+    for (int n = list_size(list); n > 0; --n) corner_uv_.push_back(body_.next(list.type));
+  }
+
+  // (u, v) of every corner of the face read last, when it has them.
+  void add_corner_uv() {
+    std::vector<Vec2>& uv = source_.looks.uv;
+    const std::size_t corners = source_.soup.corners.size(), before = source_.soup.offsets.end()[-2];
+    if (corner_uv_.size() != 2 * (corners - before) || corner_uv_.empty()) {
+      if (!uv.empty()) uv.resize(corners, kNoUv);
+      return;
+    }
+    uv.resize(before, kNoUv);
+    for (std::size_t k = 0; k < corner_uv_.size(); k += 2) uv.emplace_back(corner_uv_[k], corner_uv_[k + 1]);
+  }
+
+  // Colours of faces come before those of vertices; so do their texture points.
+  void add_looks() {
+    Looks& looks = source_.looks;
+    const std::vector<int>& corners = source_.soup.corners;
+    if (looks.colors.empty() && !point_colors_.empty())
+      for (const int v : corners) looks.colors.push_back(point_colors_[static_cast<std::size_t>(v)]);
+    if (looks.uv.empty() && !point_uv_.empty())
+      for (const int v : corners) looks.uv.push_back(point_uv_[static_cast<std::size_t>(v)]);
+    if (header_.picture.empty() || looks.uv.empty()) return;
+    looks.materials.push_back({.name = header_.picture, .picture = header_.picture});
+    looks.material.assign(static_cast<std::size_t>(source_.soup.num_faces()), 0);
   }
 
   void read_corners(const Property& list) {
@@ -287,6 +378,9 @@ class BodyReader {
   const Header& header_;
   Body body_;
   MeshSource& source_;
+  std::vector<Color> point_colors_;
+  std::vector<Vec2> point_uv_;
+  std::vector<double> corner_uv_;  // of one face, u and v in turn
 };
 
 std::string header_text(const PolygonSoup& soup, PlyEncoding encoding, std::string_view count_type) {

@@ -4,6 +4,7 @@
 
 #include "plico/base/error.h"
 #include "plico/io/mesh/gltf.h"
+#include "plico/io/mesh/mesh_file.h"
 #include "plico/io/mesh/mtl.h"
 #include "plico/io/mesh/obj.h"
 #include "plico/io/mesh/read_paint.h"
@@ -21,6 +22,8 @@ using ::testing::IsEmpty;
 const Color kRed{1, 0, 0}, kBlue{0, 0, 1};
 const std::string kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n";
 const std::string kPicture = write_png({2, 1, {255, 0, 0, 255, 0, 0, 255, 255}});  // red, blue
+
+std::optional<std::string> no_files(const std::string&) { return {}; }
 
 PaintRead paint_of(const std::string& obj, const std::map<std::string, std::string>& files) {
   const MeshSource source = read_obj(obj);
@@ -89,6 +92,22 @@ TEST(ReadPaint, TakesTheColoursOfVertices) {
   EXPECT_EQ(read.paint.triangles.at(0).colors[1], kBlue);
 }
 
+TEST(ReadPaint, FacesOfOffAndVerticesOfPlyHaveColours) {
+  const MeshSource off = read_mesh_source("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 2 1 255 0 0\n", "a.off");
+  const PaintRead faces = read_paint(off, no_files);
+  ASSERT_EQ(faces.paint.triangles.size(), 2U);
+  EXPECT_EQ(faces.paint.triangles[0].colors[0], kWhite);
+  EXPECT_EQ(faces.paint.triangles[1].colors[2], kRed);
+  const MeshSource ply = read_mesh_source(
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 1\n"
+      "property list uchar int vertex_indices\nend_header\n0 0 0 255 0 0\n1 0 0 0 0 255\n0 1 0 255 0 0\n3 0 1 2\n",
+      "a.ply");
+  const PaintRead vertices = read_paint(ply, no_files);
+  ASSERT_EQ(vertices.paint.triangles.size(), 1U);
+  EXPECT_EQ(vertices.paint.triangles[0].colors[1], kBlue);
+}
+
 TEST(ReadPaint, ReadsColoursAndPicturesOfGltf) {
   std::string numbers;
   for (const float x : {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1}) append_number(numbers, x);
@@ -104,7 +123,7 @@ TEST(ReadPaint, ReadsColoursAndPicturesOfGltf) {
       "meshes":[{"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":1},"material":0},
                                {"attributes":{"POSITION":0},"material":1}]}]})";
   const MeshSource source = read_gltf(document);
-  const PaintRead read = read_paint(source, [](const std::string&) { return std::nullopt; });
+  const PaintRead read = read_paint(source, no_files);
   ASSERT_EQ(read.paint.triangles.size(), 2U);
   EXPECT_EQ(read.paint.color_at(0, Vec3(0.9, 0.05, 0.05)), kRed);
   EXPECT_EQ(read.paint.color_at(0, Vec3(0.05, 0.9, 0.05)), kBlue);
