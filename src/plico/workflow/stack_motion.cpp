@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "plico/base/error.h"
@@ -12,6 +13,7 @@
 namespace plico {
 namespace {
 
+constexpr char kMotionKey[] = "plico:chain_motion";
 constexpr int kMostFromAnyCycle = 500;          // panels; longer chains get stuck unless they rise
 constexpr long kExchangesOfRising = 3'000'000;  // more would take longer than another chain
 constexpr int kLeastReach = 50;                 // places
@@ -37,6 +39,45 @@ int opened_at_end(const Linkage& chain, const FoldingPath& path) {
   int opened = 0;
   while (opened < chain.num_hinges() && std::abs(end[opened] - chain.hinges[opened].target) < 1e-9) ++opened;
   return opened;
+}
+
+// One entry a waypoint: its time, and the hinges that stand otherwise than before with their angles, in turn. The first
+// says all hinges.
+nlohmann::json told(const FoldingPath& path) {
+  nlohmann::json times = nlohmann::json::array(), turns = nlohmann::json::array();
+  for (std::size_t i = 0; i < path.waypoints.size(); ++i) {
+    const Configuration& now = path.waypoints[i].config;
+    nlohmann::json turn = nlohmann::json::array();
+    for (int h = 0; h < now.size(); ++h)
+      if (i == 0 || now[h] != path.waypoints[i - 1].config[h]) turn.insert(turn.end(), {h, degrees(now[h])});
+    times.push_back(path.waypoints[i].time);
+    turns.push_back(std::move(turn));
+  }
+  return {{"times", times}, {"turns_deg", turns}};
+}
+
+FoldingPath path_told(const nlohmann::json& motion, const ChainClaim& claim) {
+  const nlohmann::json &times = motion.at("times"), &turns = motion.at("turns_deg");
+  if (times.size() != turns.size() || times.size() < 2)
+    throw InvalidInput("chain/motion", fmt::format("{} times for {} turns", times.size(), turns.size()));
+  FoldingPath path;
+  Configuration config = Configuration::Zero(static_cast<Eigen::Index>(claim.stack.size()));
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    for (std::size_t k = 0; k < turns[i].size(); k += 2) {
+      const long hinge = turns[i][k].get<long>();
+      const double angle = radians(turns[i].at(k + 1).get<double>());
+      if (hinge < 0 || hinge >= config.size() || !std::isfinite(angle))
+        throw InvalidInput("chain/motion", fmt::format("turn {} is of hinge {} of {}", i, hinge, config.size()));
+      config[hinge] = angle;
+    }
+    const double time = times[i].get<double>();
+    if (i > 0 ? !(time > path.waypoints.back().time) : time != 0)
+      throw InvalidInput("chain/motion", fmt::format("time {} is {}; times must rise from 0 to 1", i, time));
+    path.waypoints.push_back({time, config});
+  }
+  if (path.waypoints.back().time != 1)
+    throw InvalidInput("chain/motion", fmt::format("the last time is {}, not 1", path.waypoints.back().time));
+  return path;
 }
 
 class Unpacker {
@@ -150,8 +191,22 @@ FoldFile chain_motion_file(const StackMotion& motion) {
   ChainClaim claim = motion.chain.claim;
   if (motion.verdict.opened < static_cast<int>(claim.stack.size())) claim.opened = motion.verdict.opened;
   FoldFile file = chain_file(claim);
-  set_path(file, chain_linkage_of(motion.chain.claim), motion.path);
+  const std::size_t panels = claim.stack.size() + 1;
+  if (static_cast<long>(panels * motion.path.waypoints.size()) <= kMostFramedPanels)
+    set_path(file, chain_linkage_of(motion.chain.claim), motion.path);
+  else
+    file.other.emplace_back(kMotionKey, told(motion.path).dump());
   return file;
+}
+
+void take_told_motion(FoldFile& file, const ChainClaim& claim) {
+  const auto at = std::ranges::find(file.other, kMotionKey, [](const auto& entry) { return entry.first; });
+  if (file.path || at == file.other.end()) return;
+  try {
+    file.path = path_told(nlohmann::json::parse(at->second), claim);
+  } catch (const nlohmann::json::exception&) {
+    throw InvalidInput("chain/motion", "plico:chain_motion does not say times and turns, numbers both");
+  }
 }
 
 }  // namespace plico

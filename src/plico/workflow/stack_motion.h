@@ -32,7 +32,14 @@ struct StackMotion {
 StackMotion unpack_stack(const VoxelMesh& voxels, const StackedChain& first, const StackMeshOptions& stacking,
                          const StackMotionOptions& options = {}, const Run& run = {});
 
-// The chain with its motion as frames; one that ends short of the shape says so.
+// The chain with its motion; one that ends short of the shape says so. Motions of at most kMostFramedPanels panels
+// times waypoints are frames. Longer ones, which would be hundreds of megabytes, are told by what turns from one
+// waypoint to the next, under plico:chain.
+constexpr long kMostFramedPanels = 200'000;
 FoldFile chain_motion_file(const StackMotion& motion);
+
+// Gives a file read from there its motion (FoldFile::path) when it is told by what turns; otherwise does nothing.
+// Throws InvalidInput ("chain/motion").
+void take_told_motion(FoldFile& file, const ChainClaim& claim);
 
 }  // namespace plico

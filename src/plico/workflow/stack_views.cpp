@@ -33,6 +33,7 @@ std::string motion_text(const StackMotion& motion, bool to_shape) {
 }
 
 bool points_are_elsewhere(const FoldFile& file, const ChainClaim& claim) {
+  if (file.path_points.empty()) return false;
   FoldFile again = file;
   const Linkage chain = chain_linkage_of(claim);
   set_path(again, chain, *file.path);

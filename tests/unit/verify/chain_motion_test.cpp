@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "plico/base/error.h"
 #include "plico/shapes/named_shapes.h"
 #include "plico/workflow/stack_motion.h"
 
@@ -82,6 +83,47 @@ TEST(UnpackStack, TheSameSeedGivesTheSameMotion) {
   const StackMeshOptions stacking{.thickness = 0.02, .width = 2, .depth = 2};
   const StackMotion again = unpack_stack(voxels, stack_voxels(voxels, cycle.found.cycle, stacking), stacking);
   EXPECT_EQ(write_fold(chain_motion_file(again)), write_fold(chain_motion_file(ball())));
+}
+
+// The ball's motion stretched by waypoints on the way until it is too long for frames.
+StackMotion long_motion() {
+  StackMotion motion = ball();
+  FoldingPath path;
+  const long panels = static_cast<long>(motion.chain.claim.stack.size()) + 1, count = kMostFramedPanels / panels + 2;
+  for (long i = 0; i < count; ++i) {
+    const double time = static_cast<double>(i) / static_cast<double>(count - 1);
+    path.waypoints.push_back({time, motion.path.at(time)});
+  }
+  motion.path = path;
+  return motion;
+}
+
+TEST(ChainMotionFile, ALongMotionIsToldByWhatTurns) {
+  const StackMotion motion = long_motion();
+  const FoldFile told = chain_motion_file(motion);
+  EXPECT_FALSE(told.path);
+  FoldFile file = read_fold(write_fold(told), "ball.fold");
+  take_told_motion(file, motion.chain.claim);
+  ASSERT_TRUE(file.path);
+  ASSERT_EQ(file.path->waypoints.size(), motion.path.waypoints.size());
+  for (std::size_t i = 0; i < motion.path.waypoints.size(); i += 50) {
+    EXPECT_EQ(file.path->waypoints[i].time, motion.path.waypoints[i].time);
+    EXPECT_LT((file.path->waypoints[i].config - motion.path.waypoints[i].config).cwiseAbs().maxCoeff(), 1e-12);
+  }
+}
+
+TEST(ChainMotionFile, AToldMotionThatIsBrokenIsRefused) {
+  const ChainClaim claim = ball().chain.claim;
+  for (const char* told :
+       {R"({"times": [0, 1]})", R"({"times": [0, 1], "turns_deg": [[]]})",
+        R"({"times": [0, 1], "turns_deg": [[0], []]})", R"({"times": [0, 1], "turns_deg": [3, []]})",
+        R"({"times": [0, 1], "turns_deg": [[-1, 90], []]})", R"({"times": [0, 1], "turns_deg": [[100000, 90], []]})",
+        R"({"times": [0, 0], "turns_deg": [[0, 90], []]})", R"({"times": [0, 0.5], "turns_deg": [[0, 90], []]})",
+        R"({"times": 3, "turns_deg": [[]]})"}) {
+    FoldFile file = chain_file(claim);
+    file.other.emplace_back("plico:chain_motion", told);
+    EXPECT_THROW(take_told_motion(file, claim), InvalidInput) << told;
+  }
 }
 
 TEST(UnpackStack, IntoAPileOnlySwings) {

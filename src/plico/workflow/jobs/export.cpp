@@ -81,6 +81,7 @@ std::string name_of(const std::string& path) {
 LoadedMotion read_motion(const ExportArgs& args, Session& session) {
   LoadedMotion motion{read_sheet(args.file, session), {}, {}, args.title};
   motion.chain = chain_claim(motion.file);
+  if (motion.chain) take_told_motion(motion.file, *motion.chain);
   motion.linkage =
       motion.chain ? chain_linkage_of(*motion.chain) : make_linkage(motion.file.net.sheet, motion.file.net.mate);
   if (!args.trajectory.empty()) {

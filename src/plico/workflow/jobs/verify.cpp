@@ -339,8 +339,11 @@ int verify_chain_file(const FoldFile& file, const ChainClaim& claim, Session& se
 
 int verify_file(const VerifyArgs& args, Session& session) {
   if (args.file == "-" && args.mesh == "-") throw InvalidOption("only one of the two files can be standard input");
-  const FoldFile file = read_sheet(args.file, session);
-  if (const std::optional<ChainClaim> chain = chain_claim(file)) return verify_chain_file(file, *chain, session);
+  FoldFile file = read_sheet(args.file, session);
+  if (const std::optional<ChainClaim> chain = chain_claim(file)) {
+    take_told_motion(file, *chain);
+    return verify_chain_file(file, *chain, session);
+  }
   const std::optional<PartsClaim> parts = parts_claim(file);
   switch (kind(file)) {
     case FoldKind::Net:
