@@ -4,20 +4,29 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "plico/base/error.h"
+#include "plico/base/libm.h"
 #include "plico/motion/penetration.h"
 #include "plico/motion/plates.h"
 
 namespace plico {
 namespace {
 
-Pose turn_about_x(double angle) { return rotation_about(Vec3::Zero(), Vec3::UnitX(), angle); }
+Pose turn_about_x(double angle) {
+  const double c = plico::cos(angle), s = plico::sin(angle);
+  Pose turn = Pose::Identity();
+  turn.linear() << 1, 0, 0, 0, c, -s, 0, s, c;
+  return turn;
+}
 
 constexpr int kBlock = 16;  // boxes of plates under one box
 
+}  // namespace
+
 // Box of some corners, rounded outward.
-struct FloatBox {
+struct BranchSampler::FloatBox {
   float low[3], high[3];
   FloatBox(const Vec3* corners, int count) {
     for (int k = 0; k < 3; ++k) {
@@ -31,7 +40,7 @@ struct FloatBox {
     }
   }
   // Does it meet box i? As numbers: six tests without a branch.
-  bool meets(const std::array<std::vector<float>, 6>& boxes, int i) const {
+  bool meets(const Boxes& boxes, int i) const {
     return (int{boxes[0][i] <= high[0]} & int{low[0] <= boxes[3][i]} & int{boxes[1][i] <= high[1]} &
             int{low[1] <= boxes[4][i]} & int{boxes[2][i] <= high[2]} & int{low[2] <= boxes[5][i]}) != 0;
   }
@@ -43,8 +52,6 @@ struct FloatBox {
            std::numeric_limits<float>::min();
   }
 };
-
-}  // namespace
 
 BranchSampler::BranchSampler(const PanelKit& kit, FoldingLaw law, double clearance, double touch)
     : kit_(kit), law_(law), touch_(touch), mark_(kit.outlines.size(), 0) {
@@ -108,7 +115,8 @@ Pose BranchSampler::across(int side, double time) const {
 
 void BranchSampler::place_plate(Sample& sample, int plate) const {
   const auto& [panel, first, count] = plates_[plate];
-  for (int c = first; c < first + count; ++c) sample.corners[c] = sample.pose[panel] * shape_[c];
+  const Pose& pose = sample.pose[panel];
+  for (int c = first; c < first + count; ++c) sample.corners[c] = pose.linear() * shape_[c] + pose.translation();
   const FloatBox box(&sample.corners[first], count);
   const int place = place_[plate];
   for (int k = 0; k < 3; ++k) sample.boxes[k][place] = box.low[k], sample.boxes[k + 3][place] = box.high[k];
@@ -261,12 +269,28 @@ void BranchSampler::move_branch(const Sample& sample, std::span<const int> branc
 void BranchSampler::find_near(const Sample& sample) {
   const FloatBox all(moved_.data(), static_cast<int>(moved_.size()));
   near_.clear();
+  near_blocks_.clear();
   for (int block = 0; block < static_cast<int>(sample.blocks[0].size()); ++block) {
     if (!all.meets(sample.blocks, block)) continue;
     const int end = std::min((block + 1) * kBlock, static_cast<int>(plates_.size()));
     for (int i = block * kBlock; i < end; ++i)
       if (all.meets(sample.boxes, i) && mark_[plates_[plate_at_[i]].panel] != stamp_) near_.push_back(i);
+    if (near_blocks_.empty() ? !near_.empty() : near_blocks_.back().second < static_cast<int>(near_.size()))
+      near_blocks_.emplace_back(block, static_cast<int>(near_.size()));
   }
+}
+
+// Calls visit(plate) for the near ones whose boxes meet `box` until it returns true.
+template <class Visit>
+bool BranchSampler::visit_near(const Sample& sample, const FloatBox& box, Visit visit) const {
+  int next = 0;
+  for (const auto& [block, end] : near_blocks_) {
+    const int first = std::exchange(next, end);
+    if (!box.meets(sample.blocks, block)) continue;
+    for (int i = first; i < end; ++i)
+      if (box.meets(sample.boxes, near_[i]) && visit(plate_at_[near_[i]])) return true;
+  }
+  return false;
 }
 
 // Calls found(panel of the branch, panel of the rest) for colliding pairs until it returns true. The branch is marked.
@@ -276,17 +300,17 @@ bool BranchSampler::meet(const Sample& sample, std::span<const int> branch, int 
   const int hinge_in = side_panel_[side], hinge_out = side_panel_[kit_.twin[side]];
   move_branch(sample, branch, motion);
   find_near(sample);
+  if (near_.empty()) return false;
   const Vec3* corners = moved_.data();
   for (int panel : branch) {
     const Vec3 normal = motion.linear() * sample.pose[panel].linear().col(2);
     for (int i = first_plate_[panel]; i < first_plate_[panel + 1]; corners += plates_[i].count, ++i) {
-      const FloatBox box(corners, plates_[i].count);
-      for (int place : near_) {
-        if (!box.meets(sample.boxes, place)) continue;
-        const int other = plate_at_[place], other_panel = plates_[other].panel;
-        if (panel == hinge_in && other_panel == hinge_out) continue;
-        if (penetrating(sample, i, corners, normal, other) && found(panel, other_panel)) return true;
-      }
+      const bool enough = visit_near(sample, FloatBox(corners, plates_[i].count), [&](int other) {
+        const int other_panel = plates_[other].panel;
+        if (panel == hinge_in && other_panel == hinge_out) return false;
+        return penetrating(sample, i, corners, normal, other) && found(panel, other_panel);
+      });
+      if (enough) return true;
     }
   }
   return false;

@@ -63,6 +63,7 @@ class BranchSampler {
     std::vector<Vec3> corners;  // of all plates
     Boxes boxes, blocks;        // of the plates by place, and of kBlock places in a row
   };
+  struct FloatBox;
   struct Plate {
     int panel, first, count;
   };
@@ -78,6 +79,8 @@ class BranchSampler {
   void find_beyond();
   void move_branch(const Sample& sample, std::span<const int> branch, const Pose& motion);
   void find_near(const Sample& sample);
+  template <class Visit>
+  bool visit_near(const Sample& sample, const FloatBox& box, Visit visit) const;
   void unjoin(std::span<const int> branch);
   void place_branch(Sample& sample, int side);
   void find_conflicts(int sample);
@@ -109,10 +112,11 @@ class BranchSampler {
     std::vector<int> branch;
     std::vector<Conflict> conflicts;
   } foreseen_;
-  std::vector<Vec3> moved_;                 // corners of the branch where it would hang
-  std::vector<std::pair<int, int>> queue_;  // panel, side by which it was entered
-  std::vector<int> touched_;                // blocks that hold plates of the branch
-  std::vector<int> near_;                   // places of plates of the rest close to the branch
+  std::vector<Vec3> moved_;                       // corners of the branch where it would hang
+  std::vector<std::pair<int, int>> queue_;        // panel, side by which it was entered
+  std::vector<int> touched_;                      // blocks that hold plates of the branch
+  std::vector<int> near_;                         // places of plates of the rest close to the branch
+  std::vector<std::pair<int, int>> near_blocks_;  // with some of them: block, end of its places in near_
 };
 
 }  // namespace plico
