@@ -20,7 +20,7 @@ namespace {
 constexpr double kGoldenRatio = 0.6180339887498949;  // of the smaller part: its multiples spread evenly
 constexpr long kStepsBeforeAllTrees = 100'000;       // well below a second
 
-long steps_for(const Mesh& mesh) { return 20'000 + std::min(120L * mesh.num_faces(), 600'000L); }
+long steps_for(const Mesh& mesh) { return 20'000 + std::min(300L * mesh.num_faces(), 1'500'000L); }
 
 PanelKit kit_of(const Mesh& mesh) {
   PanelKit kit;

@@ -21,7 +21,7 @@ struct FoldableNetOptions {
   FoldingLaw law = FoldingLaw::Linear;
   double clearance = 0;  // units; 0: 1e-3 of the mean side length
   int samples = 16;      // of the motion to begin with; others come where a net that looked free collides; at least 1
-  long max_steps = 0;    // branches tried from each start; 0: 20,000 and 120 more a face, at most 620,000
+  long max_steps = 0;    // branches tried from each start; 0: 20,000 and 300 more a face, at most 1,520,000
 };
 
 struct FoldableNet {
