@@ -27,8 +27,9 @@
 namespace plico {
 namespace {
 
-// Steps of each lane that improves a net for hands, per face and at most: seconds for a usual animal.
-constexpr long kImprovingSteps = 400, kMostImprovingSteps = 200'000;
+// Steps of each lane that improves a net for hands, per face and at most: seconds for a usual animal. The small nets of
+// a kit gain nearly all that they will in an eighth of them.
+constexpr long kImprovingSteps = 400, kImprovingStepsOfPart = 50, kMostImprovingSteps = 200'000;
 
 // Pages of more panels take longer than who stopped or limited the work wants to wait.
 constexpr int kMostToDrawLate = 10'000;  // faces
@@ -53,11 +54,12 @@ std::vector<JointClaim> claims_of(const std::vector<Joint>& joints) {
 }
 
 // What is asked of a better net, which folds at the size that the present one is printed at.
-OptimizeOptions better_for(const CraftOptions& options, const Mesh& mesh, double scale) {
+OptimizeOptions better_for(const CraftOptions& options, const Mesh& mesh, double scale,
+                           long steps_per_face = kImprovingSteps) {
   OptimizeOptions wanted{.seed = options.unfold.search.seed,
                          .weights = weights_for(options.wish == HandWish::Page ? "page" : "hands"),
                          .starts = 4};
-  wanted.steps = std::min(kImprovingSteps * mesh.num_faces(), kMostImprovingSteps);
+  wanted.steps = std::min(steps_per_face * mesh.num_faces(), kMostImprovingSteps);
   wanted.shortest_fold = kSmallEdge / scale;
   return wanted;
 }
@@ -80,12 +82,11 @@ std::optional<FoldingLaw> proven_law(const std::optional<Motion>& motion) {
 }
 
 // A net that folds straight gives way to a better one that does, too.
-bool improve(const Mesh& mesh, const CraftOptions& options, double scale, const Run& run, Unfolding& net,
-             NetVerdict& verdict, std::optional<Motion>& motion, FoldForest& forest) {
+bool improve(const Mesh& mesh, const OptimizeOptions& wanted, const Run& run, Unfolding& net, NetVerdict& verdict,
+             std::optional<Motion>& motion, FoldForest& forest) {
   const std::optional<FoldingLaw> law = proven_law(motion);
   if (!law || mesh.num_faces() < 3 || run.over()) return false;
-  BetterNet better = better_foldable_net(mesh, forest, {.seed = options.unfold.search.seed, .law = *law},
-                                         better_for(options, mesh, scale), run);
+  BetterNet better = better_foldable_net(mesh, forest, {.seed = wanted.seed, .law = *law}, wanted, run);
   Unfolding laid = lay_flat(mesh, better.tree);
   NetVerdict judged = verify_net(laid, mesh);
   if (!judged.is_net() || better.proof.verdict != PathVerdict::Free) return false;
@@ -102,7 +103,8 @@ void improve_parts(const Mesh& mesh, const CraftOptions& options, const Run& run
   const double scale = printed_scale(options, mesh, kit.net);
   bool any = false;
   for (ProvenPart& part : kit.part)
-    any |= improve(part.shape.mesh, options, scale, run, part.net, part.verdict, part.motion, part.forest);
+    any |= improve(part.shape.mesh, better_for(options, part.shape.mesh, scale, kImprovingStepsOfPart), run, part.net,
+                   part.verdict, part.motion, part.forest);
   if (!any) return;
   Kit better = put_together(mesh, std::move(kit.parts), std::move(kit.part), run);
   better.joints = std::move(kit.joints);
@@ -139,8 +141,8 @@ void improve_net(const Mesh& mesh, const CraftOptions& options, const Run& run, 
   if (!result.motion || !may_improve(options, mesh)) return;
   run.report("making the net better for hands", 0);
   FoldForest forest = forest_of(mesh, result.net);
-  improve(mesh, options, printed_scale(options, mesh, result.net), run, result.net, result.verdict, result.motion,
-          forest);
+  const OptimizeOptions wanted = better_for(options, mesh, printed_scale(options, mesh, result.net));
+  improve(mesh, wanted, run, result.net, result.verdict, result.motion, forest);
 }
 
 // The net that folds, or the one that comes closest, replaces the one found without regard to motion.
