@@ -1,7 +1,9 @@
 // Rigid origami: the dissertation's tables 3.1 to 3.3 row by row beside ours, and large tessellations.
 //   bench_origami [--json FILE] [--quick]
+//   bench_origami --patterns DIR             instead: how far the crease patterns of a folder fold
 #include <sys/resource.h>
 
+#include "drawn_patterns.h"
 #include "plico/motion/planner.h"
 #include "plico/origami/bases.h"
 #include "plico/origami/continuation.h"
@@ -229,5 +231,6 @@ int bench(const Arguments& args) {
 
 int main(int argc, char** argv) {
   plico::silence_planners();
+  if (argc == 3 && std::string_view(argv[1]) == "--patterns") return plico::bench::drawn_patterns(argv[2]);
   return plico::bench::bench(plico::bench::arguments(argc, argv));
 }
