@@ -34,7 +34,8 @@ class Studio {
   private atWork = false; // what is said is how far something is
 
   constructor(core: Core) {
-    this.session = new Session(core, (shape, notes) => this.showModel(shape, notes), (shape, moved) => this.showEdit(shape, moved));
+    this.session = new Session(core, (shape, notes) => this.showModel(shape, notes), (shape, moved) => this.showEdit(shape, moved),
+      (fine) => (byId('unkept').hidden = fine));
     const point = (edge: number): void => void this.point(edge);
     const click = (edge: number, event: PointerEvent): void => void this.act(edge, event.shiftKey);
     this.space = new SpaceView(byId('space'), colors.space, point, click);
@@ -105,7 +106,7 @@ class Studio {
     document.title = `${shape.model.name} · Plico studio`;
     this.corner = -1;
     this.sheet.show(shape);
-    this.foldPanel.newModel(shape);
+    requestAnimationFrame(() => this.foldPanel.newModel(shape)); // the net is drawn first, and no frame takes long
     this.pagesPanel.newModel();
     this.jobsPanel.newModel();
     this.show(this.tab === 'pages' ? 'net' : this.tab);
@@ -329,7 +330,7 @@ class Studio {
     const last = inlined ? undefined : await kept();
     const button = byId<HTMLButtonElement>('continue');
     button.hidden = !last;
-    button.addEventListener('click', () => last && void this.open(last.name, last.project));
+    button.addEventListener('click', () => last && void this.guarded(() => this.session.resume(last)));
     document.documentElement.dataset['ready'] = 'true';
   }
 }

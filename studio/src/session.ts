@@ -2,22 +2,25 @@
 import { type Core, Stopped } from './core/client';
 import type { Edit, JobDescription, JobResult, JobValues, Model, Progress, Snapshot } from './core/protocol';
 import { History } from './history';
-import { keep } from './store';
+import { keepEdits, keepProject, type Kept } from './store';
 import { Shape } from './views/shape';
 
-const kSaveAfter = 400; // milliseconds without an edit
+const kSaveAfter = 100; // milliseconds without an edit
+const kEditsAtMost = 200; // until the project is written as a whole again
 
 export class Session {
   readonly history = new History();
   shape?: Shape;
   busy = false; // with something long that can be stopped
-  private saved?: { bytes: Uint8Array; since: Edit[] }; // what a fresh worker needs to stand where we are
+  private saved?: Kept & { edits: Edit[] }; // what a fresh worker needs to stand where we are
   private timer = 0;
+  private writing: Promise<unknown> = Promise.resolve();
   private queue: Promise<unknown> = Promise.resolve();
 
   constructor(
     private readonly core: Core, private readonly onModel: (shape: Shape, notes: string[]) => void,
     private readonly onEdit: (shape: Shape, moved: boolean) => void, // moved: all parts lie anew
+    private readonly onKept: (fine: boolean) => void,
   ) {}
 
   /** One thing after the other: an edit never overtakes another. */
@@ -32,8 +35,13 @@ export class Session {
       const { model, snapshot } = await this.core.call('open', [name, bytes], progress);
       this.history.clear();
       this.begin(model, snapshot);
-      await this.save();
+      void this.inOrder(() => this.save());
     });
+  }
+  /** What was kept: the project, and the edits since, which can be undone. */
+  async resume({ name, project, edits }: Kept & { edits: Edit[] }): Promise<void> {
+    await this.open(name, project);
+    for (const edit of edits) await this.edit(edit.edit, edit);
   }
   private begin(model: Model, snapshot: Snapshot): void {
     this.shape = new Shape(model, snapshot);
@@ -69,10 +77,10 @@ export class Session {
   }
   private async change(edit: Edit): Promise<Edit> {
     const { inverse, snapshot } = await this.core.call('apply', [edit]);
-    this.saved?.since.push(edit);
+    this.saved?.edits.push(edit);
     this.shape!.take(snapshot);
     clearTimeout(this.timer);
-    this.timer = window.setTimeout(() => void this.inOrder(() => this.save()), kSaveAfter);
+    this.timer = window.setTimeout(() => this.keepEdits(), kSaveAfter);
     return inverse;
   }
   arrange(): Promise<void> {
@@ -84,9 +92,20 @@ export class Session {
 
   private async save(): Promise<void> {
     if (!this.shape) return;
-    const bytes = await this.core.call('project', []);
-    this.saved = { bytes, since: [] };
-    await keep({ name: `${this.shape.model.name}.plico`, project: bytes });
+    const project = await this.core.call('project', []);
+    const kept = { name: `${this.shape.model.name}.plico`, project, id: Date.now() };
+    this.saved = { ...kept, edits: [] };
+    this.write(() => keepProject(kept));
+  }
+  private keepEdits(): void {
+    if (!this.saved) return;
+    const { id, edits } = this.saved;
+    if (edits.length > kEditsAtMost) void this.inOrder(() => this.save());
+    else this.write(() => keepEdits(id, [...edits]));
+  }
+  /** In order among themselves; nothing else waits for the disk. */
+  private write(work: () => Promise<boolean>): void {
+    this.writing = this.writing.then(async () => this.onKept(await work()));
   }
 
   /** Something that may take long; stop() ends it, and the document stays as it was. */
@@ -96,7 +115,7 @@ export class Session {
       try {
         return await work();
       } catch (error) {
-        if (error instanceof Stopped) await this.restore();
+        if (error instanceof Stopped) void this.inOrder(() => this.restore()); // whoever stopped it need not wait for that
         throw error;
       } finally {
         this.busy = false;
@@ -108,9 +127,9 @@ export class Session {
   }
   private async restore(): Promise<void> {
     if (!this.saved) return;
-    const { bytes, since } = this.saved;
-    let { snapshot } = await this.core.call('open', ['project.plico', bytes]);
-    for (const edit of since) ({ snapshot } = await this.core.call('apply', [edit]));
+    const { project, edits } = this.saved;
+    let { snapshot } = await this.core.call('open', ['project.plico', project]);
+    for (const edit of edits) ({ snapshot } = await this.core.call('apply', [edit]));
     this.shape!.take(snapshot);
     this.onEdit(this.shape!, false);
   }

@@ -1,42 +1,55 @@
-// The project kept in the browser (IndexedDB), so that a closed tab loses nothing. Without storage it is silently a
-// page without memory; the caller is told by `false` or `undefined`.
-const kName = 'plico-studio', kStore = 'projects', kKey = 'current';
+// The project kept in the browser (IndexedDB), so that a killed tab loses nothing: a project as it once was, and the
+// edits since, which are small and written after each. Without storage it is a page without memory; the caller is told
+// by `false` or `undefined`.
+import type { Edit } from './core/protocol';
+
+const kName = 'plico-studio', kStore = 'projects', kProject = 'current', kEdits = 'edits';
 
 export interface Kept {
   name: string;
   project: Uint8Array;
+  id: number; // edits belong to the project of the same
 }
 
+let opened: Promise<IDBDatabase> | undefined;
 function database(): Promise<IDBDatabase> {
-  return new Promise((resolve, reject) => {
+  return (opened ??= new Promise((resolve, reject) => {
     const opening = indexedDB.open(kName, 1);
     opening.onupgradeneeded = () => opening.result.createObjectStore(kStore);
     opening.onsuccess = () => resolve(opening.result);
     opening.onerror = () => reject(opening.error);
-  });
+  }));
 }
 
-async function request<T>(mode: IDBTransactionMode, ask: (store: IDBObjectStore) => IDBRequest<T>): Promise<T> {
-  const open = await database();
-  return new Promise((resolve, reject) => {
-    const asked = ask(open.transaction(kStore, mode).objectStore(kStore));
-    asked.onsuccess = () => resolve(asked.result);
-    asked.onerror = () => reject(asked.error);
-  }).finally(() => open.close()) as Promise<T>;
-}
-
-export async function keep(kept: Kept): Promise<boolean> {
+async function write(values: Record<string, unknown>): Promise<boolean> {
   try {
-    await request('readwrite', (store) => store.put(kept, kKey));
-    return true;
+    const writing = (await database()).transaction(kStore, 'readwrite', { durability: 'relaxed' });
+    for (const [key, value] of Object.entries(values)) writing.objectStore(kStore).put(value, key);
+    writing.commit();
+    return await new Promise((resolve) => {
+      writing.oncomplete = () => resolve(true);
+      writing.onabort = writing.onerror = () => resolve(false);
+    });
   } catch {
     return false;
   }
 }
 
-export async function kept(): Promise<Kept | undefined> {
+async function read<T>(key: string): Promise<T | undefined> {
+  const asked = (await database()).transaction(kStore).objectStore(kStore).get(key);
+  return new Promise((resolve, reject) => {
+    asked.onsuccess = () => resolve(asked.result as T | undefined);
+    asked.onerror = () => reject(asked.error);
+  });
+}
+
+export const keepProject = (kept: Kept): Promise<boolean> => write({ [kProject]: kept, [kEdits]: { id: kept.id, edits: [] } });
+export const keepEdits = (id: number, edits: Edit[]): Promise<boolean> => write({ [kEdits]: { id, edits } });
+
+export async function kept(): Promise<(Kept & { edits: Edit[] }) | undefined> {
   try {
-    return (await request('readonly', (store) => store.get(kKey))) as Kept | undefined;
+    const [project, since] = await Promise.all([read<Kept>(kProject), read<{ id: number; edits: Edit[] }>(kEdits)]);
+    return project && { ...project, edits: since?.id === project.id ? since.edits : [] };
   } catch {
     return undefined;
   }

@@ -32,6 +32,16 @@ export interface Model {
   offsets: Int32Array; // face f has corners offsets[f] .. offsets[f + 1]
   cornerEdges: Int32Array; // the edge from each corner to the next
   corners: Float32Array; // x, y, z of every corner of the mesh
+  tables: Tables;
+}
+
+/** What follows from the faces and stays through all edits. */
+export interface Tables {
+  triangles: Uint32Array; // three corners a triangle
+  triangleFaces: Uint32Array; // the face of each triangle
+  next: Uint32Array; // the next corner of the same face
+  edgeCorners: Int32Array; // the two corners at which each edge starts in its faces; -1 for the second at a border
+  faceOf: Int32Array; // of each corner
 }
 
 export interface MotionVerdict {

@@ -1,6 +1,7 @@
 // The worker: Plico's module, one model at a time.
 import createPlico from 'plico-module';
 import type { Begin, Calls, Edit, Failure, JobDescription, PackedModule, Reply, Request, Snapshot, Unpacked, Verdict } from './protocol';
+import { tablesOf } from './faces';
 import { unpacked } from './lzma';
 import { decoded } from './text91';
 
@@ -14,21 +15,22 @@ function parsed<T>(text: string): T {
 
 function start(plico: any, report: (phase: string, done: number, total: number, note: string) => void): Calls {
   let editor = new plico.Editor();
+  let isOpen = false;
   const snapshot = (verdict: Verdict): Snapshot => ({
     flat: editor.flatCorners(), folds: editor.folds(), locks: editor.locks(), parts: editor.parts(), verdict,
   });
   let verdict: Verdict;
-  return {
+  const calls: Calls = {
     open(name, bytes) {
       const fresh = new plico.Editor();
       const summary = parsed<any>(fresh.open(bytes, name, report));
       editor.delete();
       editor = fresh;
       verdict = summary.verdict;
-      const model = {
-        ...summary, offsets: editor.offsets(), cornerEdges: editor.cornerEdges(), corners: editor.meshCorners(),
-      };
-      return { model, snapshot: snapshot(verdict) };
+      isOpen = true;
+      const first = snapshot(verdict), offsets = editor.offsets(), cornerEdges = editor.cornerEdges();
+      const tables = tablesOf(summary.edges, offsets, cornerEdges, first.flat);
+      return { model: { ...summary, offsets, cornerEdges, corners: editor.meshCorners(), tables }, snapshot: first };
     },
     editFor: (edge) => parsed<Edit | null>(editor.editFor(edge)),
     preview(edit) {
@@ -64,11 +66,41 @@ function start(plico: any, report: (phase: string, done: number, total: number, 
       }
     },
   };
+  const needsNone = new Set<keyof Calls>(['open', 'jobs', 'job']);
+  return new Proxy(calls, {
+    get(all, name: keyof Calls) {
+      if (!isOpen && name in all && !needsNone.has(name)) throw refused({ code: 'studio/nothing-open', message: 'nothing is open', where: '', suggestion: 'open a file' });
+      return all[name];
+    },
+  });
 }
 
 function failureOf(error: unknown): Failure {
   const known = (error as { failure?: Failure }).failure;
   return known ?? { code: 'internal', message: `the core stopped: ${String(error)}`, where: '', suggestion: 'reload the page' };
+}
+
+/** Arrays that go over to the page instead of being copied: each is made for its answer. */
+function arraysIn(value: unknown, found = new Set<ArrayBuffer>()): ArrayBuffer[] {
+  if (ArrayBuffer.isView(value)) found.add(value.buffer as ArrayBuffer);
+  else if (value && typeof value === 'object' && !Array.isArray(value)) for (const part of Object.values(value)) arraysIn(part, found);
+  return [...found];
+}
+
+// The engine compiles a function when it is called first. What the first file will call is called once before, with a
+// shape that nobody sees.
+const kTetrahedron = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n';
+function warm(plico: any): void {
+  const all = start(plico, () => undefined);
+  const { files } = all.job('sample', [['name', 'dinosaur'], ['faces', '120'], ['output', 'warm.obj']], {});
+  all.open('warm.obj', files['warm.obj']!);
+  const edge = all.editFor(7);
+  if (edge) all.preview(edge), all.apply(edge);
+  all.open('warm.obj', new TextEncoder().encode(kTetrahedron));
+  all.apply(all.search(true));
+  all.motion(false);
+  all.fold(0.5);
+  all.project();
 }
 
 let calls: Promise<Calls>;
@@ -87,8 +119,11 @@ function moduleOf({ text, packedBytes, bytes }: PackedModule): ArrayBuffer {
 }
 
 async function begin(from: PackedModule | ArrayBuffer): Promise<Calls> {
-  const wasmBinary = from instanceof ArrayBuffer ? from : moduleOf(from);
-  return start(await createPlico({ wasmBinary, locateFile: (path: string) => path }), report);
+  const isFirst = !(from instanceof ArrayBuffer);
+  const wasmBinary = isFirst ? moduleOf(from) : from;
+  const plico = await createPlico({ wasmBinary, locateFile: (path: string) => path });
+  if (isFirst) warm(plico);
+  return start(plico, report);
 }
 
 addEventListener('message', async (event: MessageEvent<Request | Begin>) => {
@@ -102,7 +137,7 @@ addEventListener('message', async (event: MessageEvent<Request | Begin>) => {
     const all = await calls;
     current = id;
     const result = (all[call] as (...args: unknown[]) => unknown)(...args);
-    postMessage({ id, result } satisfies Reply);
+    postMessage({ id, result } satisfies Reply, { transfer: arraysIn(result) });
   } catch (error) {
     postMessage({ id, failure: failureOf(error) } satisfies Reply);
   }

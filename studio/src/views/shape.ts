@@ -1,23 +1,27 @@
-// One model with the tables that both views need.
+// One model as the views see it: its tables, and the net as it lies.
 import type { Model, Snapshot } from '../core/protocol';
-import { cornersOfEdges, faceOfCorners, nextCorners, triangulate } from './faces';
 
 export class Shape {
-  readonly triangles: Uint32Array;
-  readonly triangleFaces: Uint32Array;
-  readonly next: Uint32Array;
-  readonly edgeCorners: Int32Array;
-  readonly faceOf: Int32Array;
   overlapping = new Set<number>();
 
   constructor(readonly model: Model, public snapshot: Snapshot) {
-    const { corners, faces } = triangulate(model.offsets, snapshot.flat);
-    this.triangles = corners;
-    this.triangleFaces = faces;
-    this.next = nextCorners(model.offsets);
-    this.edgeCorners = cornersOfEdges(model.edges, model.cornerEdges);
-    this.faceOf = faceOfCorners(model.offsets);
     this.take(snapshot);
+  }
+
+  get triangles(): Uint32Array {
+    return this.model.tables.triangles;
+  }
+  get triangleFaces(): Uint32Array {
+    return this.model.tables.triangleFaces;
+  }
+  get next(): Uint32Array {
+    return this.model.tables.next;
+  }
+  get edgeCorners(): Int32Array {
+    return this.model.tables.edgeCorners;
+  }
+  get faceOf(): Int32Array {
+    return this.model.tables.faceOf;
   }
 
   take(snapshot: Snapshot): void {
@@ -36,5 +40,18 @@ export class Shape {
     const edge = this.model.cornerEdges[corner]!;
     const [a, b] = [this.edgeCorners[2 * edge]!, this.edgeCorners[2 * edge + 1]!];
     return b < 0 ? a : corner === a ? b : a;
+  }
+
+  /** Pairs of corners: each fold once, each cut as often as there are copies of it. */
+  lines(): { folds: Uint32Array; cuts: Uint32Array } {
+    const { next, edgeCorners, model: { cornerEdges }, snapshot } = this;
+    const folds = new Uint32Array(next.length), cuts = new Uint32Array(2 * next.length);
+    let f = 0, k = 0;
+    for (let c = 0; c < next.length; ++c) {
+      const e = cornerEdges[c]!;
+      if (!snapshot.folds[e]) cuts[k++] = c, cuts[k++] = next[c]!;
+      else if (edgeCorners[2 * e] === c) folds[f++] = c, folds[f++] = next[c]!;
+    }
+    return { folds: folds.subarray(0, f), cuts: cuts.subarray(0, k) };
   }
 }

@@ -1,12 +1,15 @@
 // The net on the table, drawn on a canvas: parts in tints, folds dashed, cuts solid, overlaps hatched in red.
-import type { Verdict } from '../core/protocol';
+import type { Snapshot, Verdict } from '../core/protocol';
+import { onceAFrame } from './frames';
 import { listen } from './pointers';
 import type { Shape } from './shape';
+import { SheetPainter } from './sheet_painter';
 
 export interface SheetColors {
   ink: string; fold: string; alarm: string; accent: string; lock: string; tints: string[];
 }
 
+const kMany = 6000; // edges that are drawn thin and by the graphics card
 const kReach = 14; // pixels between the pointer and an edge
 
 export class SheetView {
@@ -15,7 +18,9 @@ export class SheetView {
   private scale = 1;
   private left = 0; // model coordinates at the canvas' left and top
   private top = 0;
-  private queued = false;
+  private painter?: SheetPainter; // of large nets
+  private painted?: Snapshot; // that it knows
+  readonly redraw = onceAFrame(() => this.draw());
   private readonly context: CanvasRenderingContext2D;
   private fitted = true; // shows all; a view that someone chose is kept when the window changes
   edge = -1; // under the pointer or the keys
@@ -25,6 +30,7 @@ export class SheetView {
     private readonly onPoint: (edge: number) => void, private readonly onClick: (edge: number, event: PointerEvent) => void,
   ) {
     this.context = canvas.getContext('2d')!;
+    this.context.fillRect(0, 0, 1, 1); // the first stroke on a canvas takes 40 ms: now, not when a file was dropped
     new ResizeObserver(() => this.resized()).observe(canvas);
     listen(canvas, {
       point: (at) => this.onPoint(at ? this.edgeAt(at.x, at.y) : -1),
@@ -53,8 +59,11 @@ export class SheetView {
     const flat = this.shape.snapshot.flat;
     let [x0, x1, y0, y1] = [Infinity, -Infinity, Infinity, -Infinity];
     for (let i = 0; i < flat.length; i += 2) {
-      x0 = Math.min(x0, flat[i]!), x1 = Math.max(x1, flat[i]!);
-      y0 = Math.min(y0, flat[i + 1]!), y1 = Math.max(y1, flat[i + 1]!);
+      const x = flat[i]!, y = flat[i + 1]!;
+      if (x < x0) x0 = x;
+      if (x > x1) x1 = x;
+      if (y < y0) y0 = y;
+      if (y > y1) y1 = y;
     }
     this.fitted = true;
     const { clientWidth: width, clientHeight: height } = this.canvas;
@@ -62,15 +71,6 @@ export class SheetView {
     this.left = (x0 + x1 - width / this.scale) / 2;
     this.top = (y0 + y1 + height / this.scale) / 2;
     this.redraw();
-  }
-
-  redraw(): void {
-    if (this.queued) return;
-    this.queued = true;
-    requestAnimationFrame(() => {
-      this.queued = false;
-      this.draw();
-    });
   }
 
   private resized(): void {
@@ -121,9 +121,11 @@ export class SheetView {
     context.clearRect(0, 0, canvas.width, canvas.height);
     if (!shape) return;
     const s = this.scale * ratio;
+    const drawn = shape.model.edges > kMany && this.drawMany(shape, s);
     context.setTransform(s, 0, 0, -s, -this.left * s, this.top * s);
-    this.drawFaces(shape, ratio);
-    this.drawLines(shape, ratio);
+    if (!drawn) this.drawFaces(shape);
+    if (shape.overlapping.size) this.hatch(this.outline(shape, shape.snapshot.flat, shape.overlapping), this.colors().alarm, ratio);
+    this.drawLines(shape, ratio, drawn);
     if (this.edge >= 0) this.drawEdge(shape, this.edge, ratio);
     if (this.ghost) this.drawGhost(shape, this.ghost, ratio);
   }
@@ -139,16 +141,27 @@ export class SheetView {
     return path;
   }
 
-  private drawFaces(shape: Shape, ratio: number): void {
+  private drawMany(shape: Shape, scale: number): boolean {
+    this.painter ??= SheetPainter.make();
+    if (!this.painter) return false;
+    const { tints, fold, ink } = this.colors();
+    if (this.painted !== shape.snapshot) this.painter.take(shape, tints.length);
+    this.painted = shape.snapshot;
+    const { width, height } = this.canvas;
+    const rgb = (hex: string): number[] => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16) / 255);
+    this.context.drawImage(this.painter.draw({ left: this.left, top: this.top, scale, width, height }, tints.map(rgb), rgb(fold), rgb(ink)), 0, 0);
+    return true;
+  }
+
+  private drawFaces(shape: Shape): void {
     const { parts, flat } = shape.snapshot;
-    const { tints, alarm } = this.colors();
+    const { tints } = this.colors();
     const byTint: number[][] = tints.map(() => []);
     parts.forEach((part, f) => byTint[part % tints.length]!.push(f));
     byTint.forEach((faces, t) => {
       this.context.fillStyle = tints[t]!;
       this.context.fill(this.outline(shape, flat, faces));
     });
-    if (shape.overlapping.size) this.hatch(this.outline(shape, flat, shape.overlapping), alarm, ratio);
   }
 
   private hatch(path: Path2D, color: string, ratio: number): void {
@@ -166,19 +179,20 @@ export class SheetView {
     this.context.fill(path);
   }
 
-  private drawLines(shape: Shape, ratio: number): void {
+  private drawLines(shape: Shape, ratio: number, onlyLocks: boolean): void {
     const { folds, locks, flat } = shape.snapshot;
+    if (onlyLocks && !locks.includes(1)) return;
     const paths = { fold: new Path2D(), cut: new Path2D(), lock: new Path2D() };
     for (let c = 0; c < shape.next.length; ++c) {
       const e = shape.model.cornerEdges[c]!, d = shape.next[c]!;
       if (folds[e] && shape.edgeCorners[2 * e] !== c) continue;
-      for (const path of [folds[e] ? paths.fold : paths.cut, ...(locks[e] ? [paths.lock] : [])]) {
+      for (const path of [...(onlyLocks ? [] : [folds[e] ? paths.fold : paths.cut]), ...(locks[e] ? [paths.lock] : [])]) {
         path.moveTo(flat[2 * c]!, flat[2 * c + 1]!);
         path.lineTo(flat[2 * d]!, flat[2 * d + 1]!);
       }
     }
     const { ink, fold, lock } = this.colors();
-    const many = shape.model.edges > 6000;
+    const many = shape.model.edges > kMany;
     this.stroke(paths.lock, lock, 5 * ratio);
     this.stroke(paths.fold, fold, (many ? 0.5 : 1) * ratio, many ? [] : [4, 3]);
     this.stroke(paths.cut, ink, (many ? 0.8 : 1.6) * ratio);

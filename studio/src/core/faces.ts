@@ -1,4 +1,5 @@
-// Faces as triangles, for drawing and for finding what is under the pointer.
+// What the page needs to draw faces and to find what is under the pointer; the worker makes it once a model.
+import type { Tables } from './protocol';
 
 type Point = [number, number];
 
@@ -28,28 +29,32 @@ function ears(points: Point[]): number[] {
   return triangles;
 }
 
-/** Three corners a triangle, and the face of each triangle. */
-export function triangulate(offsets: Int32Array, flat: Float32Array): { corners: Uint32Array; faces: Uint32Array } {
-  const corners: number[] = [], faces: number[] = [];
-  for (let f = 0; f + 1 < offsets.length; ++f) {
-    const start = offsets[f]!, count = offsets[f + 1]! - start;
-    const points = Array.from({ length: count }, (_, i): Point => [flat[2 * (start + i)]!, flat[2 * (start + i) + 1]!]);
-    for (const corner of count === 3 ? [0, 1, 2] : ears(points)) corners.push(start + corner);
-    for (let i = 0; i < count - 2; ++i) faces.push(f);
+function triangulate(offsets: Int32Array, flat: Float32Array): { triangles: Uint32Array; triangleFaces: Uint32Array } {
+  const faces = offsets.length - 1, count = offsets[faces]! - 2 * faces;
+  const triangles = new Uint32Array(3 * count), triangleFaces = new Uint32Array(count);
+  let at = 0;
+  for (let f = 0; f < faces; ++f) {
+    const start = offsets[f]!, corners = offsets[f + 1]! - start;
+    triangleFaces.fill(f, at, at + corners - 2);
+    if (corners === 3) {
+      triangles[3 * at] = start, triangles[3 * at + 1] = start + 1, triangles[3 * at + 2] = start + 2;
+    } else {
+      const points = Array.from({ length: corners }, (_, i): Point => [flat[2 * (start + i)]!, flat[2 * (start + i) + 1]!]);
+      triangles.set(ears(points).map((corner) => start + corner), 3 * at);
+    }
+    at += corners - 2;
   }
-  return { corners: new Uint32Array(corners), faces: new Uint32Array(faces) };
+  return { triangles, triangleFaces };
 }
 
-/** The next corner of the same face. */
-export function nextCorners(offsets: Int32Array): Uint32Array {
+function nextCorners(offsets: Int32Array): Uint32Array {
   const next = new Uint32Array(offsets[offsets.length - 1]!);
   for (let f = 0; f + 1 < offsets.length; ++f)
     for (let c = offsets[f]!; c < offsets[f + 1]!; ++c) next[c] = c + 1 === offsets[f + 1] ? offsets[f]! : c + 1;
   return next;
 }
 
-/** The two corners at which each edge starts in its faces; -1 for the second at a border. */
-export function cornersOfEdges(edges: number, cornerEdges: Int32Array): Int32Array {
+function cornersOfEdges(edges: number, cornerEdges: Int32Array): Int32Array {
   const corners = new Int32Array(2 * edges).fill(-1);
   cornerEdges.forEach((e, corner) => {
     corners[corners[2 * e]! < 0 ? 2 * e : 2 * e + 1] = corner;
@@ -57,8 +62,15 @@ export function cornersOfEdges(edges: number, cornerEdges: Int32Array): Int32Arr
   return corners;
 }
 
-export function faceOfCorners(offsets: Int32Array): Int32Array {
+function faceOfCorners(offsets: Int32Array): Int32Array {
   const faces = new Int32Array(offsets[offsets.length - 1]!);
   for (let f = 0; f + 1 < offsets.length; ++f) faces.fill(f, offsets[f]!, offsets[f + 1]!);
   return faces;
+}
+
+export function tablesOf(edges: number, offsets: Int32Array, cornerEdges: Int32Array, flat: Float32Array): Tables {
+  return {
+    ...triangulate(offsets, flat), next: nextCorners(offsets), edgeCorners: cornersOfEdges(edges, cornerEdges),
+    faceOf: faceOfCorners(offsets),
+  };
 }
