@@ -160,12 +160,13 @@ class Colorist {
     Color color = area.color;
     if (area.look) {
       color = {};
-      for (int i = 0; i < kSamples * kSamples; ++i) {
-        const Vec2 at((column + (i % kSamples + 0.5) / kSamples) / kPixelsPerMillimetre,
-                      page.size.y() - (row + (i / kSamples + 0.5) / kSamples) / kPixelsPerMillimetre);
-        const Color sample = area.look(page.low + at);
-        for (std::size_t k = 0; k < 3; ++k) color[k] += sample[k] / (kSamples * kSamples);
-      }
+      for (int down = 0; down < kSamples; ++down)
+        for (int across = 0; across < kSamples; ++across) {
+          const Vec2 at((column + (across + 0.5) / kSamples) / kPixelsPerMillimetre,
+                        page.size.y() - (row + (down + 0.5) / kSamples) / kPixelsPerMillimetre);
+          const Color sample = area.look(page.low + at);
+          for (std::size_t k = 0; k < 3; ++k) color[k] += sample[k] / (kSamples * kSamples);
+        }
     }
     std::uint8_t* pixel = page.picture.rgba.data() + std::size_t{4} * (std::size_t(row) * page.picture.width + column);
     for (std::size_t k = 0; k < 3; ++k)
