@@ -1,4 +1,4 @@
-# How many square millimetres of a page, rendered to PPM at 254 dots per inch, have each colour:
+# How many square millimetres of a page, rendered to PPM at 127 dots per inch, have each colour:
 #   count_colors.py PAGE.ppm 'rrggbb' ...
 import sys
 
@@ -10,4 +10,4 @@ for i in range(0, len(pixels), 3):
     color = pixels[i:i + 3]
     count[color] = count.get(color, 0) + 1
 for word in sys.argv[2:]:
-    print(word, round(count.get(bytes.fromhex(word), 0) / 100))
+    print(word, round(count.get(bytes.fromhex(word), 0) / 25))
