@@ -359,7 +359,8 @@ void BranchSampler::find_blocks(std::span<const int> branch) {
 }
 
 void BranchSampler::hang(std::span<const int> branch, int side) {
-  if (foreseen_.side != side || !std::ranges::equal(foreseen_.branch, branch))
+  if (foreseen_.side != side ||
+      !std::equal(branch.begin(), branch.end(), foreseen_.branch.begin(), foreseen_.branch.end()))
     conflicts_if_hung(branch, side, std::numeric_limits<long>::max());
   mark(branch);
   const auto inside = [&](int panel) { return mark_[panel] == stamp_; };
