@@ -19,19 +19,6 @@ constexpr double kOnPlane = 1e-5;  // of the diagonal: files are rounded
 // Of its shortest edge: a vertex so close to the plane is moved onto it, where a cut would leave slivers.
 constexpr double kSnap = 0.3;
 
-// Candidates for what is across: the axes of space, then those of the surface.
-std::vector<Vec3> candidates(const Mesh& mesh, const Vec3& middle) {
-  std::vector<Vec3> normals{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (FaceId f : mesh.faces()) {
-    const Vec3 d = center(mesh, f) - middle;
-    spread += area(mesh, f) * d * d.transpose();
-  }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
-  for (int i = 0; i < 3; ++i) normals.emplace_back(axes.eigenvectors().col(i));
-  return normals;
-}
-
 class Halver {
  public:
   Halver(const Mesh& mesh, const MirrorPlane& plane, double snap)
@@ -118,6 +105,18 @@ bool is_clean(const HalfMesh& half) {
 
 }  // namespace
 
+std::vector<Vec3> candidates_across(const Mesh& mesh, const Vec3& middle) {
+  std::vector<Vec3> normals{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (FaceId f : mesh.faces()) {
+    const Vec3 d = center(mesh, f) - middle;
+    spread += area(mesh, f) * d * d.transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
+  for (int i = 0; i < 3; ++i) normals.emplace_back(axes.eigenvectors().col(i));
+  return normals;
+}
+
 std::optional<MirrorPlane> mirror_plane(const Mesh& mesh, double tolerance) {
   const double total = surface_area(mesh), most = tolerance * diagonal(mesh);
   if (!(total > 0)) return {};
@@ -125,7 +124,7 @@ std::optional<MirrorPlane> mirror_plane(const Mesh& mesh, double tolerance) {
   plane.on.setZero();
   for (FaceId f : mesh.faces()) plane.on += area(mesh, f) / total * center(mesh, f);
   const SurfaceDistance distance(mesh.soup());
-  for (const Vec3& across : candidates(mesh, plane.on)) {
+  for (const Vec3& across : candidates_across(mesh, plane.on)) {
     plane.across = across;
     bool symmetric = true;
     for (int v = 0; symmetric && v < mesh.num_vertices(); ++v)

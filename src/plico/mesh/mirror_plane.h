@@ -15,6 +15,10 @@ struct MirrorPlane {
   Vec3 foot(const Vec3& p) const { return p - height(p) * across; }
 };
 
+// Unit vectors that may be across a shape about `middle`: the axes of space, then the principal axes of its surface.
+// O(n).
+std::vector<Vec3> candidates_across(const Mesh& mesh, const Vec3& middle);
+
 // The image of every vertex lies on the surface, to `tolerance` of the diagonal. Planes through the centre of the
 // surface across an axis of space or a principal axis are tried, in this order. O(n log n).
 std::optional<MirrorPlane> mirror_plane(const Mesh& mesh, double tolerance = 5e-3);

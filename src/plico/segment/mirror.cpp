@@ -1,6 +1,5 @@
 #include "plico/segment/mirror.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <iterator>
 #include <limits>
@@ -8,6 +7,7 @@
 
 #include "plico/geom/box_tree.h"
 #include "plico/mesh/measures.h"
+#include "plico/mesh/mirror_plane.h"
 
 namespace plico {
 namespace {
@@ -20,18 +20,6 @@ Vec3 surface_center(const Mesh& mesh) {
   Vec3 sum = Vec3::Zero();
   for (FaceId f : mesh.faces()) sum += area(mesh, f) * center(mesh, f);
   return sum / surface_area(mesh);
-}
-
-std::vector<Vec3> candidate_normals(const Mesh& mesh, const Vec3& middle) {
-  std::vector<Vec3> normals{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (FaceId f : mesh.faces()) {
-    const Vec3 d = center(mesh, f) - middle;
-    spread += area(mesh, f) * d * d.transpose();
-  }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
-  for (int i = 0; i < 3; ++i) normals.emplace_back(axes.eigenvectors().col(i));
-  return normals;
 }
 
 // The image of every point, empty when one has none.
@@ -157,7 +145,7 @@ std::optional<std::vector<int>> mirror_images(const Mesh& mesh) {
   for (const Vec3& p : points) boxes.emplace_back(p);
   const BoxTree tree(boxes);
   const Vec3 middle = surface_center(mesh);
-  for (const Vec3& across : candidate_normals(mesh, middle)) {
+  for (const Vec3& across : candidates_across(mesh, middle)) {
     const std::vector<int> of_points = images_of_points(points, tree, middle, across, tolerance);
     if (of_points.empty()) continue;
     if (auto image = images_of_faces(mesh, of_points)) return image;

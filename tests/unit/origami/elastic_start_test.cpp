@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "pattern_samples.h"
 #include "plico/base/error.h"
-#include "plico/fold/planar_faces.h"
 #include "plico/origami/bases.h"
 #include "plico/origami/facets.h"
 #include "plico/origami/patterns.h"
@@ -11,27 +11,8 @@
 namespace plico {
 namespace {
 
-// Concentric squares in turn mountain and valley, and their diagonals: curved when folded, so its panels must bend.
-CreasePattern hypar(int rings) {
-  CreasePattern sheet;
-  sheet.vertices.emplace_back(0, 0);
-  for (int r = 1; r <= rings; ++r)
-    for (const Vec2& corner : {Vec2(r, r), Vec2(-r, r), Vec2(-r, -r), Vec2(r, -r)}) sheet.vertices.push_back(corner);
-  const auto vertex = [](int r, int i) { return r == 0 ? 0 : 4 * (r - 1) + i % 4 + 1; };
-  for (int r = 1; r <= rings; ++r)
-    for (int i = 0; i < 4; ++i) {
-      const bool valley = r % 2 == 1, border = r == rings;
-      const double angle = valley ? kPi : -kPi;
-      sheet.edges.push_back(
-          {vertex(r, i), vertex(r, i + 1), border ? Assignment::Boundary : assignment_of(angle), border ? 0 : angle});
-      sheet.edges.push_back({vertex(r - 1, i), vertex(r, i), assignment_of(i % 2 ? kPi : -kPi), i % 2 ? kPi : -kPi});
-    }
-  sheet.faces = planar_faces(sheet.vertices, sheet.edges);
-  return sheet;
-}
-
 TEST(ElasticStart, ComesAboutAsFarAsItIsPulled) {
-  const CreasePattern sheet = cut_into_facets(hypar(3)).sheet;
+  const CreasePattern sheet = cut_into_facets(pleated_square(3)).sheet;
   const ContinuationResult begun = start_elastically(sheet, {.share = 0.3});
   ASSERT_GT(begun.path.waypoints.size(), 2U);
   EXPECT_GT(begun.progress, 0.05);
@@ -39,7 +20,7 @@ TEST(ElasticStart, ComesAboutAsFarAsItIsPulled) {
 }
 
 TEST(ElasticStart, BeginsFlatAndStaysClosedAndInOneMotion) {
-  const CreasePattern sheet = cut_into_facets(hypar(3)).sheet;
+  const CreasePattern sheet = cut_into_facets(pleated_square(3)).sheet;
   const std::vector<RealVertex> loops = real_vertices(sheet);
   const ContinuationResult begun = start_elastically(sheet, {});
   const std::vector<Waypoint>& waypoints = begun.path.waypoints;
