@@ -65,6 +65,41 @@ auto max(const Range& range) {
   return *std::max_element(begin(range), end(range));
 }
 template <class Range>
+auto min(const Range& range) {
+  return *std::min_element(begin(range), end(range));
+}
+template <class Range>
+auto minmax(const Range& range) {
+  const auto [low, high] = std::minmax_element(begin(range), end(range));
+  return std::pair(*low, *high);
+}
+template <class Range, class Compare = std::less<>, class Projection = identity>
+auto min_element(Range&& range, Compare compare = {}, Projection projection = {}) {
+  return std::min_element(begin(range), end(range), [&](const auto& a, const auto& b) -> bool {
+    return invoke(compare, invoke(projection, a), invoke(projection, b));
+  });
+}
+template <class Range, class Other>
+bool equal(Range&& range, Other&& other) {
+  return std::equal(begin(range), end(range), begin(other), end(other));
+}
+// Both ends, as a range.
+template <class Iterator>
+struct Between {
+  Iterator first, last;
+  Iterator begin() const { return first; }
+  Iterator end() const { return last; }
+};
+template <class Range, class Value>
+auto equal_range(Range&& range, const Value& value) {
+  const auto [first, last] = std::equal_range(begin(range), end(range), value);
+  return Between<std::decay_t<decltype(first)>>{first, last};
+}
+template <class Range, class Output>
+void move(Range&& range, Output output) {
+  std::move(begin(range), end(range), output);
+}
+template <class Range>
 void reverse(Range&& range) {
   std::reverse(begin(range), end(range));
 }

@@ -359,8 +359,7 @@ void BranchSampler::find_blocks(std::span<const int> branch) {
 }
 
 void BranchSampler::hang(std::span<const int> branch, int side) {
-  if (foreseen_.side != side ||
-      !std::equal(branch.begin(), branch.end(), foreseen_.branch.begin(), foreseen_.branch.end()))
+  if (foreseen_.side != side || !std::ranges::equal(foreseen_.branch, branch))
     conflicts_if_hung(branch, side, std::numeric_limits<long>::max());
   mark(branch);
   const auto inside = [&](int panel) { return mark_[panel] == stamp_; };
