@@ -15,7 +15,7 @@ namespace {
 
 // Programs on Windows write "textures\skin.png", and whole paths of their own machine.
 std::vector<std::string> names_to_try(std::string name) {
-  std::ranges::replace(name, '\\', '/');
+  std::replace(name.begin(), name.end(), '\\', '/');
   std::vector<std::string> names{name};
   if (const std::size_t slash = name.find_last_of('/'); slash != std::string::npos)
     names.push_back(name.substr(slash + 1));
