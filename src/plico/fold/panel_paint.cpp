@@ -8,6 +8,7 @@
 #include "plico/geom/convex2.h"
 #include "plico/geom/polygon.h"
 #include "plico/mesh/measures.h"
+#include "plico/mesh/point_distance.h"
 
 namespace plico {
 namespace {

@@ -32,8 +32,4 @@ struct Paint {
   Color color_at(int triangle, const Vec3& weights) const;
 };
 
-// Of the point of a triangle that is nearest to p, how much each corner counts: at least 0, together 1. Source: C.
-// Ericson, Real-Time Collision Detection (2005), 5.1.5.
-Vec3 nearest_weights(const std::array<Vec3, 3>& corners, const Vec3& p);
-
 }  // namespace plico

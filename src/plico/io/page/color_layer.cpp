@@ -1,8 +1,11 @@
 #include "plico/io/page/color_layer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+
+#include "plico/fabricate/pieces.h"
 
 namespace plico {
 namespace {
@@ -13,16 +16,6 @@ constexpr int kSamples = 2;       // a pixel, each way
 
 double distance_to_line(const Vec2& p, const Vec2& a, const Vec2& b) {
   return std::abs(cross(b - a, p - a)) / (b - a).norm();
-}
-
-bool is_inside(const std::vector<Vec2>& polygon, const Vec2& p) {
-  bool inside = false;
-  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-    const Vec2 &a = polygon[i], &b = polygon[j];
-    if ((a.y() > p.y()) != (b.y() > p.y()) && p.x() < a.x() + (p.y() - a.y()) * (b.x() - a.x()) / (b.y() - a.y()))
-      inside = !inside;
-  }
-  return inside;
 }
 
 // A polygon on the page, and its colour at each point of it.
@@ -199,7 +192,7 @@ Color color_under(const Drawing& drawing, const Vec2& p) {
     return pixel[3] ? Color{pixel[0] / 255.0, pixel[1] / 255.0, pixel[2] / 255.0} : kWhite;
   }
   for (auto fill = drawing.fills.rbegin(); fill != drawing.fills.rend(); ++fill)
-    if (is_inside(fill->points, p)) return fill->color;
+    if (contains(fill->points, std::array{p})) return fill->color;
   return kWhite;
 }
 

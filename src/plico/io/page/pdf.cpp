@@ -88,15 +88,14 @@ class PdfWriter {
   std::string run() const { return objects_.written(catalog_, information_); }
 
  private:
+  void add_layer(std::string_view name) {
+    groups_.push_back(objects_.add(fmt::format(
+        "<< /Type /OCG /Name ({}) /Usage << /CreatorInfo << /Creator (plico) /Subtype /Technical >> >> >>", name)));
+  }
+
   void add_layers() {
-    for (Layer layer : kLayers)
-      groups_.push_back(objects_.add(fmt::format(
-          "<< /Type /OCG /Name ({}) /Usage << /CreatorInfo << /Creator (plico) /Subtype /Technical >> >> >>",
-          name(layer))));
-    if (is_painted_)
-      groups_.push_back(objects_.add(fmt::format(
-          "<< /Type /OCG /Name ({}) /Usage << /CreatorInfo << /Creator (plico) /Subtype /Technical >> >> >>",
-          kColorLayer)));
+    for (Layer layer : kLayers) add_layer(name(layer));
+    if (is_painted_) add_layer(kColorLayer);
     objects_.set(catalog_,
                  fmt::format("<< /Type /Catalog /Pages {0} /ViewerPreferences << /PrintScaling /None /DisplayDocTitle "
                              "true >>\n/OCProperties << /OCGs {1} /D << /Name (Layers) /Order {1} /ON {1} >> >> >>",
@@ -162,7 +161,7 @@ class PdfWriter {
   const bool is_painted_;
   int catalog_ = 0, pages_ = 0, information_ = 0;
   PdfLetters letters_;
-  std::vector<int> groups_;  // in the order of kLayers
+  std::vector<int> groups_;  // in the order of kLayers, then that of colours
 };
 
 }  // namespace
