@@ -88,14 +88,19 @@ void require_fit(const std::vector<std::vector<Vec2>>& hulls, const std::vector<
   if (worst >= 0) throw_too_large(worst, factor, scale, shape, options, is_panel);
 }
 
+void cut_weak_folds(const LayoutOptions& options, Unfolding& net, LayoutReport& report) {
+  if (options.weak_folds == WeakFolds::Keep || (options.weak_folds == WeakFolds::CutFew && !options.split)) return;
+  const std::vector<char> weak = weak_folds(net, 1);
+  const int cuts = static_cast<int>(std::ranges::count(weak, 1));
+  if (cuts == 0 || (options.weak_folds == WeakFolds::CutFew && cuts * kPanelsACut > net.sheet.num_faces())) return;
+  report.weak_folds_cut = cuts;
+  net = cut_folds(net, weak);
+}
+
 // In millimetres, with the folds cut that are not to stay.
 Unfolding net_to_print(const Unfolding& model_net, const LayoutOptions& options, LayoutReport& report) {
   Unfolding net = in_millimetres(model_net, report.scale);
-  if (options.cut_weak_folds) {
-    const std::vector<char> weak = weak_folds(net, 1);
-    report.weak_folds_cut = static_cast<int>(std::ranges::count(weak, 1));
-    if (report.weak_folds_cut > 0) net = cut_folds(net, weak);
-  }
+  cut_weak_folds(options, net, report);
   if (!options.split || !any_too_large(net, room_without_tabs(options))) return net;
   const std::vector<char> cuts = cuts_to_fit(NetSides(net), room_without_tabs(options));
   report.folds_cut = static_cast<int>(std::ranges::count(cuts, 1));

@@ -22,6 +22,11 @@ struct PartTitle {
   std::string id, name;
 };
 
+// Folds that are too short for what hangs on them (hand_measures.h): kept, or cut so that they are glued; CutFew where
+// parts may be split and at most one panel in kPanelsACut gains a cut.
+enum class WeakFolds { Keep, CutFew, Cut };
+inline constexpr int kPanelsACut = 20;
+
 struct LayoutOptions {
   SizeOptions size;
   PageOptions page;
@@ -29,8 +34,8 @@ struct LayoutOptions {
   TabOptions tabs;
   LabelOptions labels;
   MarkOptions marks;
-  bool split = false;              // cut parts that are too large for a page
-  bool cut_weak_folds = false;     // cut folds that are too short for what hangs on them (hand_measures.h)
+  bool split = false;  // cut parts that are too large for a page
+  WeakFolds weak_folds = WeakFolds::Keep;
   double flat = radians(0.5);      // folds up to this angle count as flat, radians
   std::vector<PartTitle> titles;   // of each part of the net; empty: "A", "B", ...
   std::vector<int> seams;          // number of each sheet edge glued to another part; empty, or 0 of all: numbered here

@@ -274,8 +274,7 @@ void add_pictures(const Mesh& mesh, const CraftOptions& options, CraftResult& re
   result.files.push_back({options.name + "-exploded.png", render_png(linkage, goal(linkage), picture)});
 }
 
-void add_drawings(const Mesh& mesh, const CraftOptions& options, const Run& run, CraftResult& result) {
-  run.report("laying out pages", 0);
+LayoutOptions layout_of(const Mesh& mesh, const CraftOptions& options, const CraftResult& result) {
   LayoutOptions layout = options.layout;
   layout.size.fill_page = true;
   if (result.kit) {
@@ -284,7 +283,17 @@ void add_drawings(const Mesh& mesh, const CraftOptions& options, const Run& run,
     layout.rank = assembly_steps(mesh, result.kit->parts, result.kit->joints);
     layout.joints = joint_facets(mesh, result.net, result.kit->joints, result.kit->pieces, layout.titles);
   }
-  result.layout = lay_out_pages(result.net, folded_shape(mesh), layout, run);
+  return layout;
+}
+
+void add_drawings(const Mesh& mesh, const CraftOptions& options, const Run& run, CraftResult& result) {
+  run.report("laying out pages", 0);
+  const LayoutOptions layout = layout_of(mesh, options, result);
+  const FoldedShape shape = folded_shape(mesh);
+  result.layout = lay_out_pages(result.net, shape, layout, run);
+  result.work = hand_work(result.net, result.layout.report);
+  if (result.work.too_small() && options.joints.empty())
+    result.larger = larger_pages(result.net, shape, layout, result.layout.report, run);
   result.layout_verdict = verify_layout(result.layout.layout);
   result.paint = panel_paint(mesh, result.net, options.paint);
   add_pages(options, result);
@@ -311,7 +320,7 @@ nlohmann::json assembly_json(const LayoutReport& layout) {
 
 void report_pages(const CraftResult& result, nlohmann::json& report) {
   const LayoutReport& layout = result.layout.report;
-  const HandWork work = hand_work(result);
+  const HandWork& work = result.work;
   report["pages"] = layout.pages;
   report["printed_parts"] = layout.parts;  // more than parts of the net where some were split to fit
   report["size_mm"] = {layout.final_size.x(), layout.final_size.y(), layout.final_size.z()};
@@ -321,6 +330,13 @@ void report_pages(const CraftResult& result, nlohmann::json& report) {
   report["edges"] = work.edges;
   report["edges_under_5_mm"] = work.small;
   report["seams_without_tab"] = layout.tabs.omitted + layout.tabs.short_seams;
+  report["edge_ids_left_out"] = work.omitted;
+  report["too_small_for_hands"] = work.too_small();
+  if (result.larger)
+    report["large_enough"] = {{"longest_mm", result.larger->longest_mm},
+                              {"pages", result.larger->pages},
+                              {"edge_ids_left_out", result.larger->work.omitted},
+                              {"seams_without_tab", result.larger->work.bare}};
   report["pages_verified"] = result.layout_verdict.sound();
   if (!layout.steps.empty()) report["assembly"] = assembly_json(layout);
   report["weak_folds_cut"] = layout.weak_folds_cut;
@@ -351,27 +367,6 @@ CraftResult craft(const Mesh& mesh, const CraftOptions& options, const Run& run)
   result.files.push_back({"report.json", report.dump(2) + "\n"});
   if (result.drawn) result.files.push_back({"index.html", page_text(mesh, options, result, report)});
   return result;
-}
-
-HandWork hand_work(const CraftResult& result) {
-  HandWork work;
-  const Unfolding& net = result.net;
-  std::vector<double> lengths;
-  for (int e = 0; e < net.sheet.num_edges(); ++e) {
-    if (net.mate[e] > e) continue;  // a seam counts once
-    const Crease& edge = net.sheet.edges[e];
-    lengths.push_back(result.layout.report.scale * (net.sheet.vertices[edge.a] - net.sheet.vertices[edge.b]).norm());
-    work.small += lengths.back() < kSmallEdge;
-  }
-  work.edges = static_cast<int>(lengths.size());
-  const LabelReport& labels = result.layout.report.labels;
-  work.omitted = labels.omitted;
-  work.ids = labels.placed + labels.leaders + labels.omitted;
-  if (lengths.empty()) return work;
-  const auto middle = lengths.begin() + work.edges / 2;
-  std::nth_element(lengths.begin(), middle, lengths.end());
-  if (*middle > 0) work.longest_mm = result.layout.report.final_size.maxCoeff() * 2 * kSmallEdge / *middle;
-  return work;
 }
 
 nlohmann::json craft_report(const Mesh& mesh, const CraftResult& result) {

@@ -12,6 +12,7 @@
 #include "plico/io/page/drawing.h"
 #include "plico/verify/page_layout.h"
 #include "plico/workflow/foldable_net.h"
+#include "plico/workflow/hand_work.h"
 #include "plico/workflow/plan_motion.h"
 #include "plico/workflow/segment_mesh.h"
 #include "plico/workflow/unfold_mesh.h"
@@ -61,6 +62,8 @@ struct CraftResult {
   PanelPaint paint;   // of the panels of `net`; empty without one, or when not drawn
   LayoutResult layout;
   LayoutVerdict layout_verdict;
+  HandWork work;                      // what the pages ask of hands
+  std::optional<LargerPages> larger;  // where that is too small for them
   std::vector<Defect> joint_defects;  // of the joints of the kit
   // NAME.pdf, NAME.svg (NAME-1.svg, ... for several pages), NAME.dxf, NAME.fold (with the motion), index.html,
   // report.json; of a kit of several parts also pictures, NAME-assembled.png and NAME-exploded.png
@@ -71,16 +74,6 @@ struct CraftResult {
 };
 
 CraftResult craft(const Mesh& mesh, const CraftOptions& options = {}, const Run& run = {});
-
-// What hands have to do: edges of the printed net, those to fold and those to glue each once.
-constexpr double kSmallEdge = 5;  // millimetres
-struct HandWork {
-  int edges = 0, small = 0;  // in all, and shorter than kSmallEdge
-  int ids = 0, omitted = 0;  // of edges, asked for, and left out where they did not fit
-  double longest_mm = 0;     // of a model half of whose edges are twice as long
-  bool too_small() const { return 2 * small > edges || 3 * omitted > ids; }
-};
-HandWork hand_work(const CraftResult& result);
 
 // What there is to say about it, as shown on the page and written to report.json. No times: the same answer has the
 // same bytes.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "plico/fabricate/fabricate.h"
 #include "plico/fabricate/net_sides.h"
 #include "plico/shapes/named_shapes.h"
 
@@ -51,6 +52,27 @@ TEST(HandMeasures, WhereWeakFoldsAreCutNoneIsLeft) {
   EXPECT_EQ(cut.num_parts(), 2);
   EXPECT_EQ(measure_for_hands(cut, 4).weak, 0);
   EXPECT_EQ(weak_folds(net, 6), std::vector<char>(net.sheet.num_edges(), 0));
+}
+
+// Panels in a row, 8 high, but for one waist of 4 in the middle.
+Mesh strip_with_waist(int n) {
+  PolygonSoup soup;
+  for (int i = 0; i <= n; ++i)
+    for (double y : {0.0, i == n / 2 ? 4.0 : 8.0}) soup.points.emplace_back(4 * i, y, 0);
+  for (int i = 0; i < n; ++i) soup.add_face({2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1});
+  return Mesh(soup);
+}
+
+TEST(HandMeasures, FewWeakFoldsAreCutWherePartsMayBeSplit) {
+  const auto parts = [](int panels, bool split) {
+    LayoutOptions options;
+    options.weak_folds = WeakFolds::CutFew;
+    options.split = split;
+    return lay_out_pages(all_folded(strip_with_waist(panels)), {}, options).report.parts;
+  };
+  EXPECT_EQ(parts(20, true), 2);
+  EXPECT_EQ(parts(20, false), 1);
+  EXPECT_EQ(parts(10, true), 1);  // one cut for ten panels is much
 }
 
 TEST(HandMeasures, NeedlesHangByTheirShortSideOnlyIfALongOneCouldFold) {

@@ -1,5 +1,6 @@
 // plico craft: the main job, all in one folder.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +21,8 @@
 
 namespace plico::jobs {
 namespace {
+
+constexpr int kManyPanels = 400;  // an evening's work
 
 struct CraftArgs {
   std::string mesh, foldable = "linear", repair = "safe", parts = "one", coplanar = "join", optimize = "hands";
@@ -97,15 +100,30 @@ Mesh mesh_to_craft(Mesh mesh, const CraftArgs& args, Session& session) {
   return std::move(simple.mesh);
 }
 
+// Fewer faces, larger pages, parts: what was not tried out is only to try.
+std::string to_try(const CraftResult& result) {
+  std::vector<std::string> ways;
+  if (result.verdict.panels > kManyPanels) ways.emplace_back("--faces 300");
+  if (!result.kit) ways.emplace_back("--parts auto");
+  return ways.empty() ? "" : fmt::format("; or try {}", fmt::join(ways, ", "));
+}
+
+std::string what_helps(const CraftResult& result) {
+  if (!result.larger) return fmt::format("; no size up to four times this one helps{}", to_try(result));
+  const LargerPages& larger = *result.larger;
+  return fmt::format("; this net at --longest {:.0f}mm leaves out {} ids and {} tabs, on {} {}{}", larger.longest_mm,
+                     larger.work.omitted, larger.work.bare, larger.pages, larger.pages == 1 ? "page" : "pages",
+                     to_try(result));
+}
+
 // What hands cannot do is said, with what would help.
 void warn_of_small_edges(const Session& session, const CraftResult& result) {
-  const HandWork work = hand_work(result);
+  const HandWork& work = result.work;
   if (!work.too_small()) return;
   session.warn(fmt::format(
-      "hard to build by hand: {} of {} edges are shorter than {:g} mm, {} of {} edge ids do not fit; try {}--longest "
-      "{:.0f}mm --split, or --parts auto",
-      work.small, work.edges, kSmallEdge, work.omitted, work.ids,
-      result.net.sheet.num_faces() > 400 ? "--faces 300, " : "", work.longest_mm));
+      "hard to build by hand: {} of {} edges are shorter than {:g} mm, {} of {} edge ids do not fit, {} of {} seams "
+      "have no room for a tab{}",
+      work.small, work.edges, kSmallEdge, work.omitted, work.ids, work.bare, work.seams, what_helps(result)));
 }
 
 // Folds that may tear; at the size that is told this very net has none.

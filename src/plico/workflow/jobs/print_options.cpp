@@ -66,6 +66,10 @@ MarkOptions mark_options(const std::vector<std::string>& given) {
   return marks;
 }
 
+WeakFolds weak_folds_wish(const std::string& name) {
+  return name == "cut" ? WeakFolds::Cut : name == "keep" ? WeakFolds::Keep : WeakFolds::CutFew;
+}
+
 }  // namespace
 
 void add_print_options(Job& job, PrintArgs& args) {
@@ -88,8 +92,9 @@ void add_print_options(Job& job, PrintArgs& args) {
       .length("--gap", "between parts", args.gap, {0, 100})
       .flag("--split", "cut parts that are too large for a page along folds", args.split)
       .choice("--weak-folds",
-              "folds under 5 mm that carry a branch of more than three panels are kept, or cut so that it is glued",
-              args.weak_folds, {"keep", "cut"})
+              "folds under 5 mm that carry a branch of more than three panels are kept, or cut so that it is glued; "
+              "auto: cut where parts may be split and such folds are few",
+              args.weak_folds, {"auto", "keep", "cut"})
       .choice("--tabs", "which side of a seam has the tab", args.tabs,
               {"auto", "alternate", "left", "right", "both", "none"})
       .length("--tab-width", "depth of the tabs", args.tab_width, {1, 50})
@@ -139,7 +144,7 @@ LayoutOptions layout_options(const PrintArgs& args) {
   options.marks = mark_options(args.marks);
   options.joint = args.joint == "rivet" ? JointKind::Rivet : args.joint == "none" ? JointKind::None : JointKind::Glue;
   options.split = args.split;
-  options.cut_weak_folds = args.weak_folds == "cut";
+  options.weak_folds = weak_folds_wish(args.weak_folds);
   options.flat = args.flat;
   return options;
 }

@@ -14,7 +14,7 @@ namespace plico::jobs {
 
 struct PrintArgs {
   std::string page, margin, up = "auto", tabs = "auto", style = "auto", text = "auto", side = "outside", perforation,
-                            machine = "printer", joint = "glue", weak_folds = "keep", title;
+                            machine = "printer", joint = "glue", weak_folds = "auto", title;
   double scale = std::numeric_limits<double>::quiet_NaN();
   double tab_width = 5, tab_angle = radians(45), gap = 3, flat = radians(0.5), label_size = 7;
   SizeOptions size;
