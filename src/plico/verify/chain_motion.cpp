@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "plico/base/error.h"
-#include "plico/verify/chain_segment.h"
+#include "plico/verify/chain_approach.h"
 #include "plico/verify/panel_motion.h"
 
 namespace plico {
@@ -40,7 +40,7 @@ class ChainJudge {
     const ChainSegment segment(chain_, poses_.all(), from.config, to.config, options_.air);
     for (const ChainBlock& b : segment.blocks())
       for (int group = 0; group < b.group; ++group) {
-        const double at = meet(Approach(segment, group, b), 0, 0, b.box);
+        const double at = meet(ChainApproach(segment, group, b), 0, 0, b.box);
         if (at >= 1) continue;
         verdict_.from = verdict_.to = from.time + at * (to.time - from.time);
         verdict_.panel_b = b.first;
@@ -49,53 +49,41 @@ class ChainJudge {
     return true;
   }
 
-  // A block on its way, as the blocks of an earlier group see it.
-  struct Approach {
-    Approach(const ChainSegment& of, int seen_by, const ChainBlock& which)
-        : segment(of), group(seen_by), block(which), speed(of.speed(seen_by, which)) {}
-    OrientedBox at(double time) const { return placed(block.box, segment.moved(group, block.group, time)); }
-
-    const ChainSegment& segment;
-    const int group;
-    const ChainBlock& block;
-    const double speed;
-  };
-
   // Until when the block is apart from all that the sphere holds, 1 for the whole segment; `there` is where it is at
   // `time`, until when it is known to be. A sphere that comes near gives way to the two in it, at that time.
-  double meet(const Approach& way, std::size_t node, double time, OrientedBox there) {
-    const ChainSegment::Sphere& sphere = way.segment.spheres(way.group)[node];
+  double meet(const ChainApproach& way, std::size_t node, double time, OrientedBox there) {
+    const ChainSegment::Sphere& sphere = way.segment().spheres(way.seen_by())[node];
     for (;;) {
       ++verdict_.steps;
       const double apart = distance(there, sphere.center) - sphere.radius;
-      if (apart > (1 - time) * way.speed) return 1;
+      if (apart > (1 - time) * way.speed()) return 1;
       if (apart < sphere.radius) break;
-      time += apart / way.speed;
+      time += apart / way.speed();
       there = way.at(time);
     }
-    if (sphere.is_leaf()) return meet_block(way, way.segment.blocks()[sphere.first], time, there);
+    if (sphere.is_leaf()) return meet_block(way, way.segment().blocks()[sphere.first], time, there);
     const double met = meet(way, sphere.left, time, there);
     return met < 1 ? met : meet(way, sphere.left + 1, time, there);
   }
 
-  double meet_block(const Approach& way, const ChainBlock& a, double time, OrientedBox there) {
-    if (way.segment.are_mates(a, way.block)) return 1;
+  double meet_block(const ChainApproach& way, const ChainBlock& a, double time, OrientedBox there) {
+    if (way.segment().are_mates(a, way.block())) return 1;
     for (;;) {
       ++verdict_.steps;
       const double apart = gap(a.box, there);
-      if (apart > (1 - time) * way.speed || (time >= 1 && apart > 0)) return 1;
-      const double step = std::max(0.0, apart) / way.speed;
-      if (step < kShortest) {
+      if (apart > (1 - time) * way.speed() || (time >= 1 && apart > 0)) return 1;
+      const double until = apart > 0 ? way.apart_until(a.box, time) : time;
+      if (until - time < kShortest && until < way.next_change(time)) {
         verdict_.panel_a = a.first;
         return contact(way, a, time);
       }
-      time = std::min(1.0, time + step);
+      time = until;
       there = way.at(time);
     }
   }
 
   // The blocks all but touch at `time`, where steps forward get ever shorter: do they meet soon after?
-  double contact(const Approach& way, const ChainBlock& a, double time) {
+  double contact(const ChainApproach& way, const ChainBlock& a, double time) {
     for (double ahead = kShortest; time + ahead <= 1; ahead *= 2) {
       if (gap(a.box, way.at(time + ahead)) >= 0) continue;
       verdict_.verdict = PathVerdict::Collides;

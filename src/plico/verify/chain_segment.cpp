@@ -9,6 +9,18 @@ namespace {
 constexpr double kPiledAngle = 1e-9;  // radians
 constexpr double kPiledPlace = 1e-9;  // of a side
 
+struct TurningLine {
+  Vec3 point, direction;  // right-handed turns about it open the hinge towards valleys
+};
+
+// The line about which a hinge turns the panel behind it at an angle, as the panel before it sees it (R11).
+TurningLine line_of_turn(const Hinge& hinge, double fold_angle, bool right_moves) {
+  const Vec3 axis = (hinge.to - hinge.from).normalized(), direction = right_moves ? Vec3(-axis) : axis;
+  if (std::abs(fold_angle) <= kPi / 2) return {hinge.from, direction};
+  const Vec3 inwards(direction.y(), -direction.x(), std::copysign(1.0, fold_angle));
+  return {hinge.from + hinge.roll * inwards, direction};
+}
+
 }  // namespace
 
 ChainPoses::ChainPoses(const Linkage& chain)
@@ -123,15 +135,47 @@ double ChainSegment::speed(int group, const ChainBlock& b) const {
   return sum;
 }
 
-Pose ChainSegment::moved(int a, int b, double time) const {
-  const int first = moving_[a];  // the panel that holds the first of the hinges
-  Pose now = start_[first];
+std::vector<double> ChainSegment::changes_of_axis(int a, int b) const {
+  std::vector<double> changes;
   for (int m = a; m < b; ++m) {
     const int h = moving_[m];
-    // From the panel before this hinge to the one before the next: rest in between, as at the start.
-    if (m > a) now = now * (start_[moving_[m - 1] + 1].inverse(Eigen::Isometry) * start_[h]);
-    const double angle = from_[h] + time * (to_[h] - from_[h]);
-    now = now * turn(chain_.hinges[h], angle, chain_.hinges[h].right == h + 1);
+    for (double quarter : {-kPi / 2, kPi / 2}) {
+      const double time = (quarter - from_[h]) / (to_[h] - from_[h]);
+      if (chain_.hinges[h].roll > 0 && time > 0 && time < 1) changes.push_back(time);
+    }
+  }
+  std::ranges::sort(changes);
+  return changes;
+}
+
+// The pose of the panel before the m-th moving hinge: rest since the hinge before it, as at the start. `now` is that of
+// the panel behind the latter.
+Pose ChainSegment::before_turning(int a, int m, const Pose& now) const {
+  if (m == a) return start_[moving_[a]];
+  return now * (start_[moving_[m - 1] + 1].inverse(Eigen::Isometry) * start_[moving_[m]]);
+}
+
+ChainSegment::Turns ChainSegment::turns(int a, int b, double time, double end) const {
+  Turns result;
+  Pose now = Pose::Identity();
+  for (int m = a; m < b; ++m) {
+    const int h = moving_[m];
+    const Hinge& hinge = chain_.hinges[h];
+    const bool right_moves = hinge.right == h + 1;
+    now = before_turning(a, m, now);
+    const TurningLine line = line_of_turn(hinge, angle(h, (time + end) / 2), right_moves);
+    result.turns.push_back({now * line.point, now.linear() * line.direction * (to_[h] - from_[h])});
+    now = now * turn(hinge, angle(h, time), right_moves);
+  }
+  result.pose = now * start_[moving_[b - 1] + 1].inverse(Eigen::Isometry);
+  return result;
+}
+
+Pose ChainSegment::moved(int a, int b, double time) const {
+  Pose now = Pose::Identity();
+  for (int m = a; m < b; ++m) {
+    const int h = moving_[m];
+    now = before_turning(a, m, now) * turn(chain_.hinges[h], angle(h, time), chain_.hinges[h].right == h + 1);
   }
   return now * start_[moving_[b - 1] + 1].inverse(Eigen::Isometry);
 }

@@ -57,10 +57,27 @@ class ChainSegment {
   // Most speed of a point of `b` as the earlier group sees it, lengths per segment.
   double speed(int group, const ChainBlock& b) const;
 
+  // Times in (0, 1) at which a thick hinge between the groups comes to turn about another axis (+-90 degrees),
+  // ascending.
+  std::vector<double> changes_of_axis(int a, int b) const;
+
+  // A hinge that turns about a line.
+  struct Turn {
+    Vec3 point, rate;  // of the line; along it, radians per segment
+  };
+  struct Turns {
+    std::vector<Turn> turns;  // of the hinges between the groups, from `a` on
+    Pose pose;                // as moved() has it
+  };
+  // What turns group `b`, as the earlier group `a` sees it, from `time` until `end`, within which no axis changes.
+  Turns turns(int a, int b, double time, double end) const;
+
   // The motion of group `b`, as the earlier group `a` sees it, from the start of the segment to `time` in [0, 1].
   Pose moved(int a, int b, double time) const;
 
  private:
+  double angle(int hinge, double time) const { return from_[hinge] + time * (to_[hinge] - from_[hinge]); }
+  Pose before_turning(int a, int m, const Pose& now) const;
   int num_moving() const { return static_cast<int>(moving_.size()); }
   void add_group(int group, int first, int last);
   void add_block(int group, int first, int last);
