@@ -52,13 +52,15 @@ ChainSegment::ChainSegment(const Linkage& chain, const std::vector<Pose>& start,
 }
 
 // The panels beside a moving hinge stand alone: they are mates across it. Upon the hinge before it a pile is cut into
-// pieces, each as long as all before it: what is near the hinge moves little, and may be near much.
+// pieces, the first a side high and each as long as all before it: what is near the hinge moves little, and may be near
+// much.
 void ChainSegment::add_group(int group, int first, int last) {
   const std::size_t begin = blocks_.size();
+  const int a_side = std::max(1, static_cast<int>(side() / chain_.thickness));
   for (int p = first; p <= last;) {
     int end = p;
     const bool alone = (p == first && group > 0) || (p == last && group < num_moving());
-    const int longest = group > 0 ? std::max(1, p - first) : chain_.num_panels();
+    const int longest = group > 0 ? std::max(a_side, p - first) : chain_.num_panels();
     while (!alone && end < last && end - p + 1 < longest && !(end + 1 == last && group < num_moving()) &&
            is_piled(p, end + 1))
       ++end;
