@@ -58,7 +58,8 @@ class PeelSearch {
       const bool was_open = before && i + 1 < width(first - 1);
       angles[i] = was_open ? (*before)[i + 1] : bodies_.pile_angle(first + i);
     }
-    if (!levels_[first]) levels_[first] = std::make_unique<PeelLevel>(bodies_, first, width(first), options_.step);
+    if (!levels_[first])
+      levels_[first] = std::make_unique<PeelLevel>(bodies_, first, width(first), options_.step, options_.sample);
     return levels_[first]->enter(angles);
   }
 
@@ -99,6 +100,7 @@ Peel peel(const Linkage& chain, int sign, const PeelOptions& options, const Run&
   require(options.air > 0 && options.air < 0.5, "air", options.air, "in (0, 0.5)");
   require(options.widest >= 1 && options.widest <= kMostOpen, "widest", options.widest, "1 to 4");
   require(options.step >= 1 && 90 % options.step == 0, "step", options.step, "a divisor of 90");
+  require(options.sample >= 0, "sample", options.sample, "at least 0");
   require(options.nodes >= 0, "nodes", options.nodes, "at least 0");
   require(options.patience >= 1, "patience", options.patience, "at least 1");
   return PeelSearch(chain, sign, options, run).run();

@@ -10,6 +10,7 @@ namespace plico {
 namespace {
 
 constexpr int kMostHalvings = 32;
+constexpr double kFirstLook = 15;       // degrees
 constexpr int kHalvingsOfAll = 4;       // then only what was near is looked at
 constexpr double kParallel = 1e-9;      // sine of the angle between axes that count as one
 constexpr double kSkew = 1e-6;          // what that may add to a share
@@ -41,8 +42,14 @@ bool is_any_side(const OrientedBox& box, const Vec3& towards, const Test& will_d
   return false;
 }
 
+double reach(const OrientedBox& box, const Vec3& direction) {
+  return (box.axes.transpose() * direction).cwiseAbs().dot(box.half);
+}
 double highest(const OrientedBox& box, const Vec3& direction) {
-  return box.center.dot(direction) + (box.axes.transpose() * direction).cwiseAbs().dot(box.half);
+  return box.center.dot(direction) + reach(box, direction);
+}
+double lowest(const OrientedBox& box, const Vec3& direction) {
+  return box.center.dot(direction) - reach(box, direction);
 }
 
 // A point of the axis about which panel h + 1 turns there, in the flat frame of panel h: beyond 90 degrees the line in
@@ -148,13 +155,13 @@ double PeelWindow::Motion::against(const Vec3& direction) const {
   std::array<double, kMostOpen> share;  // of what an axis turns that can be in the direction
   for (int j = 0; j < count; ++j)
     share[j] = std::min(1.0, direction.cross(turns[j].axis).norm() + turns[j].drift + kSkew);
-  double lowest = std::numeric_limits<double>::infinity();
+  double least = std::numeric_limits<double>::infinity();
   for (const Corner& corner : corners) {
     double height = corner.at.dot(direction) - std::abs(corner.way.dot(direction));
     for (int j = 0; j < count; ++j) height -= share[j] * corner.bend[j];
-    lowest = std::min(lowest, height);
+    least = std::min(least, height);
   }
-  return lowest;
+  return least;
 }
 
 // Where they are told apart by a side of the mover, which turns with it, the mover is who sees best.
@@ -162,10 +169,16 @@ bool PeelWindow::stays_clear(const Pair& pair, const Interval& interval, const M
   const OrientedBox &mover = interval.at.box[pair.mover], &other = other_of(pair, interval.at);
   const double least = bodies_.least_gap();
   if (gap(mover, other) > motion.total + least) return true;
-  if (is_any_direction(mover, other, [&](const Vec3& d) { return motion.against(d) > highest(other, d) + least; }))
+  if (is_any_direction(mover, other, [&](const Vec3& d) {
+        const double top = highest(other, d) + least;
+        return lowest(mover, d) > top && motion.against(d) > top;
+      }))
     return true;
   const Motion seen = motion_seen_by(pair.mover, below(pair), other, interval);
-  return is_any_side(mover, other.center, [&](const Vec3& d) { return seen.against(d) > highest(mover, d) + least; });
+  return is_any_side(mover, other.center, [&](const Vec3& d) {
+    const double top = highest(mover, d) + least;
+    return lowest(other, d) > top && seen.against(d) > top;
+  });
 }
 
 // The hinge keeps the first mover and panel `first` apart.
@@ -200,8 +213,21 @@ bool PeelWindow::free_at(const OpenAngles& angles) const {
   return !is_hit(at);
 }
 
+bool PeelWindow::free_at_samples(const OpenAngles& from, const OpenAngles& to, double apart) const {
+  double most = 0;
+  for (int i = 0; i < count_; ++i) most = std::max(most, std::abs(to[i] - from[i]));
+  const int pieces = static_cast<int>(std::ceil(degrees(most) / apart));
+  for (int k = 1; k < pieces; ++k) {
+    OpenAngles at{};
+    for (int i = 0; i < count_; ++i) at[i] = from[i] + (to[i] - from[i]) * k / pieces;
+    if (!free_at(at)) return false;
+  }
+  return true;
+}
+
 bool PeelWindow::free_between(const OpenAngles& from, const OpenAngles& to, long& intervals) const {
-  return halve(from, to, 0, intervals, intervals + kMostIntervals);
+  // What collides mostly does so deeply: seen sooner than by halving, which begins where it is just free.
+  return free_at_samples(from, to, kFirstLook) && halve(from, to, 0, intervals, intervals + kMostIntervals);
 }
 
 bool PeelWindow::halve(const OpenAngles& from, const OpenAngles& to, int depth, long& intervals, long most) const {

@@ -20,6 +20,8 @@ class PeelWindow {
   int count() const { return count_; }
 
   bool free_at(const OpenAngles& angles) const;
+  // Some moments of the straight way between two states, so many degrees apart.
+  bool free_at_samples(const OpenAngles& from, const OpenAngles& to, double apart) const;
   // Every moment of the straight way between two states, by bisection: the gap of two boxes at the middle of an
   // interval, in some direction, against how far they can move in it. False also when that cannot be decided.
   // No angle passes a right one on the way (there a thick hinge changes its axis).

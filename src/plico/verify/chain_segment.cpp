@@ -75,20 +75,17 @@ void ChainSegment::add_group(int group, int first, int last) {
 // Does panel `next` lie in the pile that begins with `first`: straight above or below it?
 bool ChainSegment::is_piled(int first, int next) const {
   if (std::abs(std::abs(from_[next - 1]) - kPi) > kPiledAngle) return false;
-  const Pose seen = start_[first].inverse(Eigen::Isometry) * start_[next];
-  const Vec3 off = seen * middle(next) - middle(first);
-  return off.head<2>().norm() < kPiledPlace * side() && std::abs(std::abs(seen.linear()(2, 2)) - 1) < kPiledPlace;
+  const Vec3 up = start_[first].linear().col(2), off = center(next) - center(first);
+  return (off - off.dot(up) * up).norm() < kPiledPlace * side() &&
+         std::abs(std::abs(up.dot(start_[next].linear().col(2))) - 1) < kPiledPlace;
 }
 
 void ChainSegment::add_block(int group, int first, int last) {
   double low = 0, high = 0;
-  if (last > first) {
-    const Pose back = start_[first].inverse(Eigen::Isometry);
-    for (int p = first; p <= last; ++p) {
-      const double z = (back * (start_[p] * middle(p))).z();
-      low = std::min(low, z);
-      high = std::max(high, z);
-    }
+  for (int p = first + 1; p <= last; ++p) {
+    const double z = start_[first].linear().col(2).dot(center(p) - center(first));
+    low = std::min(low, z);
+    high = std::max(high, z);
   }
   low -= chain_.thickness / 2 - air_;
   high += chain_.thickness / 2 - air_;

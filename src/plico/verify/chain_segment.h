@@ -84,6 +84,7 @@ class ChainSegment {
   void add_sphere(std::vector<Sphere>& spheres, std::size_t at, std::size_t from, std::size_t to) const;
   bool is_piled(int first, int next) const;
   Vec3 middle(int panel) const { return (chain_.panels[panel][0] + chain_.panels[panel][2]) / 2; }
+  Vec3 center(int panel) const { return start_[panel] * middle(panel); }
   double side() const { return (chain_.panels[0][1] - chain_.panels[0][0]).norm(); }
 
   const Linkage& chain_;
