@@ -10,11 +10,19 @@ namespace plico {
 namespace {
 
 constexpr int kMostHalvings = 32;
-constexpr double kFirstLook = 15;       // degrees
 constexpr int kHalvingsOfAll = 4;       // then only what was near is looked at
-constexpr double kParallel = 1e-9;      // sine of the angle between axes that count as one
-constexpr double kSkew = 1e-6;          // what that may add to a share
+constexpr double kFirstLook = 15;       // degrees
 constexpr long kMostIntervals = 20000;  // of one way: a search that is asked to stop must not hang in a narrow place
+
+// Farthest distance of the corners from the line.
+double farthest(const std::array<Vec3, 8>& corners, const Vec3& point, const Vec3& axis) {
+  double most = 0;
+  for (const Vec3& corner : corners) {
+    const Vec3 from = corner - point;
+    most = std::max(most, (from - axis.dot(from) * axis).squaredNorm());
+  }
+  return std::sqrt(most);
+}
 
 // Is there a direction, of those in which two boxes can be told apart and from `b` to `a`, that will do?
 template <class Test>
@@ -32,24 +40,8 @@ bool is_any_direction(const OrientedBox& a, const OrientedBox& b, const Test& wi
   return false;
 }
 
-// Is there one outwards from a side of the box towards the point?
-template <class Test>
-bool is_any_side(const OrientedBox& box, const Vec3& towards, const Test& will_do) {
-  for (int i = 0; i < 3; ++i) {
-    const Vec3 side = box.axes.col(i);
-    if (will_do(side.dot(towards - box.center) < 0 ? Vec3(-side) : side)) return true;
-  }
-  return false;
-}
-
-double reach(const OrientedBox& box, const Vec3& direction) {
-  return (box.axes.transpose() * direction).cwiseAbs().dot(box.half);
-}
 double highest(const OrientedBox& box, const Vec3& direction) {
-  return box.center.dot(direction) + reach(box, direction);
-}
-double lowest(const OrientedBox& box, const Vec3& direction) {
-  return box.center.dot(direction) - reach(box, direction);
+  return box.center.dot(direction) + (box.axes.transpose() * direction).cwiseAbs().dot(box.half);
 }
 
 // A point of the axis about which panel h + 1 turns there, in the flat frame of panel h: beyond 90 degrees the line in
@@ -86,9 +78,8 @@ void PeelWindow::place(const OpenAngles& angles, Placed& at) const {
   for (int i = 0; i < count_; ++i) {
     const Hinge& hinge = bodies_.hinge(first_ + i);
     at.point[i] = pose[i] * axis_point(hinge, angles[i]);
-    const bool right_moves = hinge.right == first_ + i + 1;
-    at.axis[i] = pose[i].linear() * (right_moves ? hinge.from - hinge.to : hinge.to - hinge.from).normalized();
-    pose[i + 1] = pose[i] * turn(hinge, angles[i], right_moves);
+    at.axis[i] = pose[i].linear() * (hinge.to - hinge.from).normalized();
+    pose[i + 1] = pose[i] * turn(hinge, angles[i], hinge.right == first_ + i + 1);
   }
   at.box.clear();
   for (const Body& mover : movers_) at.box.push_back(placed(mover.local, pose[mover.depth]));
@@ -97,88 +88,53 @@ void PeelWindow::place(const OpenAngles& angles, Placed& at) const {
 PeelWindow::Interval PeelWindow::interval(const OpenAngles& from, const OpenAngles& to) const {
   Interval interval;
   place(middle(from, to), interval.at);
-  for (int i = 0; i < count_; ++i) interval.half_turn[i] = (to[i] - from[i]) / 2;
+  for (int i = 0; i < count_; ++i) {
+    interval.half_turn[i] = std::abs(to[i] - from[i]) / 2;
+    for (double quarter : {-kPi / 2, kPi / 2})
+      if (std::min(from[i], to[i]) < quarter && quarter < std::max(from[i], to[i])) interval.changes_axis[i] = true;
+  }
   return interval;
 }
 
 // Seen by what hangs on the first `below` hinges.
 PeelWindow::Motion PeelWindow::motion(int mover, int below, const Interval& interval) const {
   Motion motion;
-  for (int i = below; i < movers_[mover].depth; ++i)
-    motion.add_turn({interval.at.axis[i], interval.at.point[i], interval.half_turn[i], 0});
-  motion.add_corners(interval.at.box[mover]);
-  return motion;
-}
-
-// What hangs on the first `below` hinges, or stands, as the mover sees it.
-PeelWindow::Motion PeelWindow::motion_seen_by(int mover, int below, const OrientedBox& other,
-                                              const Interval& interval) const {
-  Motion motion;
-  for (int i = movers_[mover].depth - 1; i >= below; --i)
-    motion.add_turn({interval.at.axis[i], interval.at.point[i], -interval.half_turn[i], 0});
-  motion.add_corners(other);
-  return motion;
-}
-
-void PeelWindow::Motion::add_turn(Turning turn) {
-  if (turn.half == 0) return;
-  for (int o = 0; o < count; ++o)
-    if (turn.axis.cross(turns[o].axis).norm() > kParallel) turn.drift += std::abs(turns[o].half);
-  turns[count++] = turn;
-}
-
-void PeelWindow::Motion::add_corners(const OrientedBox& box) {
-  const std::array<Vec3, 8> places = corners_of(box);
-  for (std::size_t c = 0; c < places.size(); ++c) add_corner(c, places[c]);
-}
-
-// A point is `arm` from its axis: the arms from axis to axis keep their length. Turns j <= k bend its way by their
-// product times the arm of k, in the directions across axis j.
-void PeelWindow::Motion::add_corner(std::size_t number, const Vec3& place) {
-  Corner& corner = corners[number] = {place, Vec3::Zero(), {}};
-  Vec3 foot = place;
-  double arm = 0, inner = 0;  // of the turns further in, the sum of angle times arm
-  for (int j = count - 1; j >= 0; --j) {
-    const Turning& turn = turns[j];
-    const double half = std::abs(turn.half);
-    const Vec3 on_axis = turn.point + (foot - turn.point).dot(turn.axis) * turn.axis;
-    arm += (foot - on_axis).norm();
-    foot = on_axis;
-    corner.way += turn.half * turn.axis.cross(place - turn.point);
-    corner.bend[j] = half * (half * arm / 2 + inner);
-    inner += half * arm;
+  const Placed& at = interval.at;
+  motion.corners = corners_of(at.box[mover]);
+  for (int i = movers_[mover].depth - 1; i >= below; --i) {
+    const double half = interval.half_turn[i];
+    if (half == 0) continue;
+    double loose = motion.total;
+    if (interval.changes_axis[i]) loose += std::sqrt(2.0) * bodies_.hinge(first_ + i).roll;
+    const double length = half * (farthest(motion.corners, at.point[i], at.axis[i]) + loose);
+    motion.turns[motion.count++] = {at.axis[i], at.point[i], half, plico::sin(half), 1 - plico::cos(half), loose};
+    motion.total += length;
   }
-  total = std::max(total, inner);
+  return motion;
 }
 
+// A turn by at most `half` moves x, seen from its axis, by no more than sin(half) |u.(a x x)| + (1 - cos(half)) |u.x'|
+// along u, where x' is x without its part along the axis. Concave in x, so the corners tell for the whole body.
 double PeelWindow::Motion::against(const Vec3& direction) const {
-  std::array<double, kMostOpen> share;  // of what an axis turns that can be in the direction
-  for (int j = 0; j < count; ++j)
-    share[j] = std::min(1.0, direction.cross(turns[j].axis).norm() + turns[j].drift + kSkew);
-  double least = std::numeric_limits<double>::infinity();
-  for (const Corner& corner : corners) {
-    double height = corner.at.dot(direction) - std::abs(corner.way.dot(direction));
-    for (int j = 0; j < count; ++j) height -= share[j] * corner.bend[j];
-    least = std::min(least, height);
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Vec3& corner : corners) {
+    double height = corner.dot(direction);
+    for (int i = 0; i < count; ++i) {
+      const Turning& turn = turns[i];
+      const Vec3 across = direction.cross(turn.axis), x = corner - turn.point;
+      const double aside = x.dot(direction) - x.dot(turn.axis) * turn.axis.dot(direction);
+      height -=
+          turn.sine * std::abs(across.dot(x)) + turn.sag * std::abs(aside) + turn.half * across.norm() * turn.loose;
+    }
+    lowest = std::min(lowest, height);
   }
-  return least;
+  return lowest;
 }
 
-// Where they are told apart by a side of the mover, which turns with it, the mover is who sees best.
-bool PeelWindow::stays_clear(const Pair& pair, const Interval& interval, const Motion& motion) const {
-  const OrientedBox &mover = interval.at.box[pair.mover], &other = other_of(pair, interval.at);
+bool PeelWindow::stays_clear(const OrientedBox& mover, const OrientedBox& other, const Motion& motion) const {
   const double least = bodies_.least_gap();
-  if (gap(mover, other) > motion.total + least) return true;
-  if (is_any_direction(mover, other, [&](const Vec3& d) {
-        const double top = highest(other, d) + least;
-        return lowest(mover, d) > top && motion.against(d) > top;
-      }))
-    return true;
-  const Motion seen = motion_seen_by(pair.mover, below(pair), other, interval);
-  return is_any_side(mover, other.center, [&](const Vec3& d) {
-    const double top = highest(mover, d) + least;
-    return lowest(other, d) > top && seen.against(d) > top;
-  });
+  return gap(mover, other) > motion.total + least ||
+         is_any_direction(mover, other, [&](const Vec3& d) { return motion.against(d) > highest(other, d) + least; });
 }
 
 // The hinge keeps the first mover and panel `first` apart.
@@ -197,10 +153,10 @@ bool PeelWindow::is_hit(const Placed& at) const {
 bool PeelWindow::is_clear(const Interval& interval) const {
   const std::vector<OrientedBox>& box = interval.at.box;
   for (const auto& [deep, other] : inner_)
-    if (!stays_clear({deep, other, false}, interval, motion(deep, movers_[other].depth, interval))) return false;
+    if (!stays_clear(box[deep], box[other], motion(deep, movers_[other].depth, interval))) return false;
   for (int m = 0; m < static_cast<int>(movers_.size()); ++m) {
     const Motion moved = motion(m, 0, interval);
-    const auto may_meet = [&](int panel) { return !stays_clear({m, panel, true}, interval, moved); };
+    const auto may_meet = [&](int panel) { return !stays_clear(box[m], bodies_.standing(panel), moved); };
     if (bodies_.standing_tree().any_near(box[m], moved.total + bodies_.least_gap(), last_standing(m), may_meet))
       return false;
   }
@@ -260,8 +216,11 @@ bool PeelWindow::halve_near(const OpenAngles& from, const OpenAngles& to, const 
   const Interval whole = interval(from, to);
   std::vector<Pair> left;
   for (const Pair& pair : pairs) {
-    if (gap(whole.at.box[pair.mover], other_of(pair, whole.at)) <= bodies_.least_gap()) return false;
-    if (!stays_clear(pair, whole, motion(pair.mover, below(pair), whole))) left.push_back(pair);
+    const OrientedBox& mover = whole.at.box[pair.mover];
+    const OrientedBox& other = pair.stands ? bodies_.standing(pair.other) : whole.at.box[pair.other];
+    if (gap(mover, other) <= bodies_.least_gap()) return false;
+    const int below = pair.stands ? 0 : movers_[pair.other].depth;
+    if (!stays_clear(mover, other, motion(pair.mover, below, whole))) left.push_back(pair);
   }
   if (left.empty()) return true;
   const OpenAngles half = middle(from, to);

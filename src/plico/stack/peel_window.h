@@ -24,7 +24,6 @@ class PeelWindow {
   bool free_at_samples(const OpenAngles& from, const OpenAngles& to, double apart) const;
   // Every moment of the straight way between two states, by bisection: the gap of two boxes at the middle of an
   // interval, in some direction, against how far they can move in it. False also when that cannot be decided.
-  // No angle passes a right one on the way (there a thick hinge changes its axis).
   bool free_between(const OpenAngles& from, const OpenAngles& to, long& intervals) const;
 
  private:
@@ -38,47 +37,37 @@ class PeelWindow {
     std::vector<OrientedBox> box;
     std::array<Vec3, kMostOpen> axis, point;  // of the hinges, in the world
   };
-  // Of a motion: its middle, where everything is then, and how far every hinge turns until its end; about one axis, as
-  // intervals do not reach across a right angle.
+  // Of a motion: its middle, where everything is then, how far every hinge turns to either side, and whether its axis
+  // changes on the way.
   struct Interval {
     Placed at;
     OpenAngles half_turn{};
+    std::array<bool, kMostOpen> changes_axis{};
   };
+  // The turns that carry a body while an interval lasts, as another sees it, the innermost first.
+  struct Turning {
+    Vec3 axis, point;
+    double half, sine, sag;  // radians to either side of the middle of the interval; its sine, 1 - its cosine
+    double loose;  // how far what it turns may be from where it is in the middle, by the turns before and its own axes
+  };
+  struct Motion {
+    int count = 0;
+    std::array<Turning, kMostOpen> turns;
+    std::array<Vec3, 8> corners;                  // of the body in the middle of the interval
+    double total = 0;                             // that it moves anything of the body by, at most
+    double against(const Vec3& direction) const;  // the corners never get lower than this in the direction
+  };
+
   // A mover, and what it may meet: a panel that stands, or another mover.
   struct Pair {
     int mover, other;
     bool stands;
   };
-  struct Turning {
-    Vec3 axis, point;
-    double half;   // radians until the end of the interval
-    double drift;  // of the axis meanwhile, radians, at most
-  };
-  struct Corner {
-    Vec3 at, way;                        // in the middle of the interval; from there to the end, were it straight
-    std::array<double, kMostOpen> bend;  // that each turn adds to that, at most
-  };
-  // The turns that carry a body while an interval lasts, as another sees it, the outermost first.
-  struct Motion {
-    int count = 0;
-    std::array<Turning, kMostOpen> turns;
-    std::array<Corner, 8> corners;  // of the body
-    double total = 0;               // that it moves anything of the body by, at most
-    void add_turn(Turning turn);
-    void add_corners(const OrientedBox& box);
-    void add_corner(std::size_t number, const Vec3& place);
-    double against(const Vec3& direction) const;  // the corners never get lower than this in the direction
-  };
 
   void place(const OpenAngles& angles, Placed& placed) const;
   Interval interval(const OpenAngles& from, const OpenAngles& to) const;
   Motion motion(int mover, int below, const Interval& interval) const;
-  Motion motion_seen_by(int mover, int below, const OrientedBox& other, const Interval& interval) const;
-  int below(const Pair& pair) const { return pair.stands ? 0 : movers_[pair.other].depth; }
-  const OrientedBox& other_of(const Pair& pair, const Placed& placed) const {
-    return pair.stands ? bodies_.standing(pair.other) : placed.box[pair.other];
-  }
-  bool stays_clear(const Pair& pair, const Interval& interval, const Motion& motion) const;
+  bool stays_clear(const OrientedBox& mover, const OrientedBox& other, const Motion& motion) const;
   int last_standing(int mover) const;
   bool is_hit(const Placed& placed) const;
   bool is_clear(const Interval& interval) const;
