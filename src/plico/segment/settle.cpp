@@ -7,8 +7,7 @@
 namespace plico {
 namespace {
 
-constexpr double kLengthShare = 0.3;  // 0.05 leaves seams where they are, with 0.5 they leave their valleys
-constexpr double kAreaPower = 0.3;    // the sides are chosen already: less of the area than when a limb is looked for
+constexpr double kLengthShare = 0.2;  // 0.05 leaves seams where they are, with 0.5 they leave their valleys
 constexpr int kRounds = 2;            // a seam that ends on another follows it
 
 using PartPair = std::pair<int, int>;
@@ -42,11 +41,9 @@ void settle(const DualGraph& graph, const PartPair& pair, const NeckOptions& opt
 
 void settle_seams(const DualGraph& graph, const std::vector<int>& start, std::vector<int>& part,
                   const NeckOptions& options) {
-  NeckOptions settled = options;
-  settled.area_power = kAreaPower;
   const DualGraph longer = graph.with_length(kLengthShare);
   for (int round = 0; round < kRounds; ++round)
-    for (const PartPair& pair : neighbours(longer, start, part)) settle(longer, pair, settled, part);
+    for (const PartPair& pair : neighbours(longer, start, part)) settle(longer, pair, options, part);
 }
 
 }  // namespace plico
