@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "plico/base/rng.h"
 #include "plico/geom/predicates.h"
 #include "plico/origami/closure.h"
 
@@ -14,15 +15,33 @@ namespace {
 constexpr double kSliver = 0.02;      // height over longest side: thinner facets are taken only when there is no other
 constexpr double kNoTriangle = 1e-6;  // the same: such a facet has no plane
 constexpr double kLocked = 10;        // times the longest side: a cut that leaves a vertex locked
+constexpr double kLeastDrawn = 0.1, kMostDrawn = 4.1;  // times the length of a diagonal
 constexpr double kNever = std::numeric_limits<double>::infinity();
+
+// What each diagonal costs, by its corners i < j.
+using CutCosts = std::vector<std::vector<double>>;
+
+CutCosts cut_costs(const std::vector<Vec2>& corners, CutChoice choice, Rng rng) {
+  const int size = static_cast<int>(corners.size());
+  const double unit = (corners[1] - corners[0]).squaredNorm();  // costs stay lengths
+  CutCosts costs(size, std::vector<double>(size, 0));
+  for (int i = 0; i < size; ++i)
+    for (int j = i + 1; j < size; ++j) {
+      const double length = (corners[j] - corners[i]).norm();
+      costs[i][j] = choice == CutChoice::Long ? unit / length : length;
+      if (choice == CutChoice::Drawn) costs[i][j] *= rng.uniform(kLeastDrawn, kMostDrawn);
+    }
+  return costs;
+}
 
 // The cheapest triangulation of a simple polygon: best_[i][j] is the cost of what lies between corners i and j. A set
 // of triangles that all turn left and whose outline is simple cannot overlap, so orientation is all that is asked.
 class Triangulation {
  public:
   // `needs_cut`: the corners that stay locked when none of their panel's cuts ends there.
-  Triangulation(std::vector<Vec2> corners, std::vector<char> needs_cut)
+  Triangulation(std::vector<Vec2> corners, CutCosts costs, std::vector<char> needs_cut)
       : corners_(std::move(corners)),
+        costs_(std::move(costs)),
         needs_cut_(std::move(needs_cut)),
         size_(static_cast<int>(corners_.size())),
         best_(size_, std::vector<double>(size_, 0)),
@@ -59,7 +78,7 @@ class Triangulation {
       best_[i][j] = cost;
       apex_[i][j] = k;
     }
-    if (!is_side) best_[i][j] += (corners_[j] - corners_[i]).norm();
+    if (!is_side) best_[i][j] += costs_[i][j];
   }
 
   // Of an ear: a triangle with two sides of the polygon, whose tip no cut reaches.
@@ -82,6 +101,7 @@ class Triangulation {
   }
 
   std::vector<Vec2> corners_;
+  CutCosts costs_;
   std::vector<char> needs_cut_;
   int size_;
   std::vector<std::vector<double>> best_;
@@ -103,19 +123,21 @@ bool has_equal_corners(const std::vector<int>& face) {
 
 }  // namespace
 
-Facets cut_into_facets(const CreasePattern& sheet) {
+Facets cut_into_facets(const CreasePattern& sheet, CutChoice choice, std::uint64_t seed) {
   Facets result;
   result.sheet.vertices = sheet.vertices;
   result.sheet.edges = sheet.edges;
   result.first_cut = sheet.num_edges();
   const std::vector<char> locked = locked_vertices(sheet);
+  const Rng rng(seed);
   for (int f = 0; f < sheet.num_faces(); ++f) {
     const std::vector<int>& face = sheet.faces[f];
     std::vector<std::array<int, 3>> triangles;
     if (face.size() > 3 && !has_equal_corners(face)) {
       std::vector<char> needs_cut;
       for (int v : face) needs_cut.push_back(locked[v]);
-      triangles = Triangulation(polygon(sheet, f), std::move(needs_cut)).triangles();
+      const std::vector<Vec2> corners = polygon(sheet, f);
+      triangles = Triangulation(corners, cut_costs(corners, choice, rng.stream(f)), std::move(needs_cut)).triangles();
     }
     if (triangles.empty()) {
       result.sheet.faces.push_back(face);

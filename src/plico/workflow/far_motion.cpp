@@ -26,6 +26,10 @@ constexpr double kPulledTo[] = {0.1, 0.3, 0.6};
 constexpr double kSearchTime = 0.5;       // of what is left: the rest is for the proof
 constexpr double kFirstSearchTime = 0.7;  // of that, for a search that others follow
 constexpr double kWholeTime = 0.4;        // of what is left, for whole panels when facets come next
+constexpr int kMostCutLong = 600;         // creases and cuts: then other diagonals are tried too
+constexpr int kMostCutDrawn = 400;        // the same: then drawn ones
+constexpr int kDraws = 6;                 // of diagonals
+constexpr double kFirstCutTime = 0.5;     // of what is left, for the shortest diagonals when others come next
 constexpr int kGoRounds = 8;              // of panels that the proof met
 constexpr double kShort = radians(0.5);
 constexpr double kBends = 1e-9;  // radians
@@ -218,14 +222,32 @@ FarMotion go_on(const Linkage& linkage, const FoldingPath& begun, const MotionOp
   return result;
 }
 
-FarMotion go_on_in_facets(const CreasePattern& sheet, const MotionOptions& options, const Run& run) {
-  const Facets facets = cut_into_facets(sheet);
+FarMotion go_on_in(const Facets& facets, const CreasePattern& sheet, const MotionOptions& options, const Run& run) {
   FarMotion result = go_on(make_linkage(facets.sheet), {}, options, true, run);
   if (result.motion.path.waypoints.empty()) return result;
   result.bends = bends_of(facets, sheet.num_faces(), result.motion.path);
   result.notes.push_back(bends_note(result.bends));
   result.sheet = facets.sheet;
   return result;
+}
+
+bool same_cuts(const Facets& a, const Facets& b) { return a.sheet.faces == b.sheet.faces; }
+
+// The shortest diagonals first; where they do not lead to the goal the longest, and then some that are drawn: which of
+// them open the way shows only when it is gone. The farthest of them.
+FarMotion go_on_in_facets(const CreasePattern& sheet, const MotionOptions& options, const Run& run) {
+  const Facets shortest = cut_into_facets(sheet);
+  const int creases = make_linkage(shortest.sheet).num_hinges();
+  const int tries = creases > kMostCutLong ? 0 : creases > kMostCutDrawn ? 1 : 1 + kDraws;
+  FarMotion best = go_on_in(shortest, sheet, options, tries > 0 ? share_of_time(run, kFirstCutTime) : run);
+  for (int i = 0; i < tries && best.share < kFarEnough && !run.over(); ++i) {
+    const Facets other = cut_into_facets(sheet, i == 0 ? CutChoice::Long : CutChoice::Drawn, options.seed + i);
+    if (same_cuts(other, shortest)) continue;
+    FarMotion found = go_on_in(other, sheet, options, share_of_time(run, 1.0 / (tries - i)));
+    found.timed_out = best.timed_out = best.timed_out || found.timed_out;
+    if (found.share > best.share + kWorthCutting) best = std::move(found);
+  }
+  return best;
 }
 
 }  // namespace

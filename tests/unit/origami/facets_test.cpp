@@ -37,6 +37,34 @@ TEST(Facets, AreCutByTheShorterDiagonal) {
   EXPECT_EQ(cut.fold_angle, 0);
 }
 
+TEST(Facets, AreCutByTheLongerDiagonalWhenAsked) {
+  CreasePattern kite;
+  kite.vertices = {{0, 0}, {1, -0.5}, {3, 0}, {1, 0.5}};
+  kite.faces = {{0, 1, 2, 3}};
+  for (int i = 0; i < 4; ++i) kite.edges.push_back({i, (i + 1) % 4, Assignment::Boundary});
+  const Facets facets = cut_into_facets(kite, CutChoice::Long);
+  ASSERT_EQ(facets.sheet.num_edges(), 5);
+  const Crease& cut = facets.sheet.edges[facets.first_cut];
+  EXPECT_EQ(std::min(cut.a, cut.b), 0);
+  EXPECT_EQ(std::max(cut.a, cut.b), 2);
+}
+
+TEST(Facets, DrawnOnesDependOnTheSeedAndCoverThePanels) {
+  const CreasePattern sheet = miura({.columns = 6, .rows = 6});
+  const Facets first = cut_into_facets(sheet, CutChoice::Drawn, 1), other = cut_into_facets(sheet, CutChoice::Drawn, 2);
+  EXPECT_EQ(first.sheet.faces, cut_into_facets(sheet, CutChoice::Drawn, 1).sheet.faces);
+  EXPECT_NE(first.sheet.faces, other.sheet.faces);
+  double area = 0;
+  for (int f = 0; f < first.sheet.num_faces(); ++f) {
+    const double part = signed_area(polygon(first.sheet, f));
+    EXPECT_GT(part, 0);
+    area += part;
+  }
+  double whole = 0;
+  for (int f = 0; f < sheet.num_faces(); ++f) whole += signed_area(polygon(sheet, f));
+  EXPECT_NEAR(area, whole, 1e-12);
+}
+
 TEST(Facets, OfAPanelWithADentStayInsideIt) {
   CreasePattern arrow;
   arrow.vertices = {{0, 0}, {2, 1}, {0, 2}, {1, 1}};  // the shorter diagonal, 1-3, is inside; 0-2 is not

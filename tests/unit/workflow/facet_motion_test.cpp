@@ -98,7 +98,8 @@ void expect_bends_are_told(const CreasePattern& sheet, double least_share) {
   EXPECT_THAT(cut.notes, Contains(HasSubstr("cut by flat creases")));
 }
 
-TEST(FacetMotion, ASquareTwistFoldsWithPanelsThatBend) { expect_bends_are_told(square_twist(), 0.7); }
+// 80 % with the shortest diagonals, 91 % with others.
+TEST(FacetMotion, ASquareTwistFoldsWithPanelsThatBend) { expect_bends_are_told(square_twist(), 0.88); }
 
 TEST(FacetMotion, AHyparFoldsWithPanelsThatBend) { expect_bends_are_told(pleated_square(3), 0.15); }
 
