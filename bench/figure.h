@@ -1,4 +1,4 @@
-// The option --figure FILE.svg of bench programs that draw one.
+// Options of some bench programs: --figure FILE.svg of those that draw one.
 #pragma once
 #include <algorithm>
 #include <string>
@@ -6,16 +6,18 @@
 
 namespace plico::bench {
 
-// Takes it out of the arguments; empty when it is not given.
-inline std::string figure_of(int& argc, char** argv) {
+// Takes an option with its value out of the arguments; empty when it is not given.
+inline std::string option_of(std::string_view option, int& argc, char** argv) {
   for (int i = 1; i + 1 < argc; ++i)
-    if (std::string_view(argv[i]) == "--figure") {
-      const std::string path = argv[i + 1];
+    if (argv[i] == option) {
+      const std::string value = argv[i + 1];
       std::move(argv + i + 2, argv + argc, argv + i);
       argc -= 2;
-      return path;
+      return value;
     }
   return {};
 }
+
+inline std::string figure_of(int& argc, char** argv) { return option_of("--figure", argc, argv); }
 
 }  // namespace plico::bench

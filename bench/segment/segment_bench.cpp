@@ -1,5 +1,6 @@
 // Few parts that mean something, each with a proven net and motion, against the dissertation's clusters.
 //   bench_segment [--meshes DIR] [--json FILE] [--quick]
+//   bench_segment --acceptance --meshes DIR [--quick]    goals, seeds 1-3 (--quick: 1), reached or not
 // Table 1: what `plico segment` makes of every mesh. [Xi17] Table 4.1: horse-312 in 7 parts, 3 of them linear, 12.75 s.
 // Table 2: as few parts as are proven to fold.
 // Table 3: growth with the face count, cuts alone, with peak memory.
@@ -8,89 +9,16 @@
 // Seams are told in diagonals of the bounding box. Times are processor seconds of one thread.
 #include <sys/resource.h>
 
-#include <ctime>
+#include <cstring>
 #include <map>
 
-#include "plico/base/error.h"
-#include "plico/io/mesh/mesh_file.h"
-#include "plico/mesh/measures.h"
+#include "acceptance.h"
+#include "cuts.h"
+#include "limbs.h"
 #include "plico/segment/coarse.h"
-#include "plico/shapes/creature.h"
-#include "plico/shapes/named_shapes.h"
-#include "plico/workflow/segment_mesh.h"
-#include "table.h"
 
 namespace plico::bench {
 namespace {
-
-using nlohmann::json;
-
-constexpr double kSecondsAtMost = 60;  // for one row
-
-template <class Work>
-double processor_seconds(Work&& work) {
-  const std::clock_t start = std::clock();
-  std::forward<Work>(work)();
-  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-}
-
-struct Seam {
-  double diagonals = 0, concave = 0;  // length; share of it in valleys
-};
-
-Seam seam_of(const Mesh& mesh, const Segmentation& parts) {
-  double sum = 0, valleys = 0;
-  for (EdgeId e : seams(mesh, parts)) {
-    sum += length(mesh, e);
-    if (fold_angle(mesh, e) > 0) valleys += length(mesh, e);
-  }
-  return {sum / diagonal(mesh), sum > 0 ? valleys / sum : 1};
-}
-
-struct Cut {
-  Kit result;
-  double seconds = 0;
-};
-
-Cut cut(const Mesh& mesh, const SegmentOptions& options) {
-  Cut made;
-  const auto work = [&] { made.result = segment_mesh(mesh, options, limited(Run{}, kSecondsAtMost)); };
-  made.seconds = processor_seconds(work);
-  return made;
-}
-
-SegmentOptions exactly(int parts, SegmentMethod method = SegmentMethod::Necks) {
-  SegmentOptions options;
-  options.method = method;
-  options.wish = PartsWish::Exactly;
-  options.parts = parts;
-  return options;
-}
-
-SegmentOptions fewest() {
-  SegmentOptions options;
-  options.wish = PartsWish::Fewest;
-  return options;
-}
-
-struct Named {
-  std::string name;
-  Mesh mesh;
-};
-
-std::vector<Named> all_meshes(const Arguments& arguments) {
-  std::vector<Named> meshes;
-  for (const auto& path : mesh_files(arguments.meshes)) {
-    try {
-      meshes.push_back({path.stem(), load_mesh(path)});
-    } catch (const InvalidInput& error) {
-      fmt::print("{}: {}\n", path.stem().string(), error.what());
-    }
-  }
-  for (Animal animal : kAnimals)
-    meshes.push_back({std::string(name(animal)), Mesh(creature({.animal = animal, .faces = 500}))});
-  return meshes;
-}
 
 void add_parts_row(Table& table, const Named& named, const char* wish, const Cut& made) {
   const Seam seam = seam_of(named.mesh, made.result.parts);
@@ -140,48 +68,6 @@ void against_clusters(Table& table, const std::vector<Named>& meshes, bool quick
 
 // ---- Limbs --------------------------------------------------------------------------------------------------------
 
-// Share of pairs of faces, weighed by their areas, on which two labellings agree that they belong together or not.
-double rand_index(const Mesh& mesh, const std::vector<int>& a, const std::vector<int>& b) {
-  std::map<int, double> in_a, in_b;
-  std::map<std::pair<int, int>, double> in_both;
-  double total = 0;
-  for (FaceId f : mesh.faces()) {
-    const double w = area(mesh, f);
-    in_a[a[f]] += w, in_b[b[f]] += w, in_both[{a[f], b[f]}] += w, total += w;
-  }
-  const auto squares = [](const auto& sums) {
-    double sum = 0;
-    for (const auto& [key, w] : sums) sum += w * w;
-    return sum;
-  };
-  return 1 - (squares(in_a) + squares(in_b) - 2 * squares(in_both)) / (total * total);
-}
-
-// The part of the animal that each of creature_limbs() belongs to: head, trunk, a leg, an arm, a wing, a fin, the tail.
-const std::vector<int>& parts_of_limbs(Animal animal) {
-  static const std::map<Animal, std::vector<int>> parts{
-      {Animal::Bird, {0, 1, 1, 1, 2, 3, 4, 3, 4}},
-      {Animal::Dog, {0, 1, 1, 1, 2, 3, 4, 5, 4, 5, 6, 7, 6, 7, 6, 7, 8}},
-      {Animal::Fish, {0, 0, 1, 2, 3, 4, 5, 6}},
-      {Animal::Dinosaur, {0, 1, 1, 1, 2, 2, 3, 4, 3, 4, 3, 4, 5, 6, 5, 6}}};
-  return parts.at(animal);
-}
-
-// The nearest limb of every face.
-std::vector<int> true_parts(const Mesh& mesh, const CreatureOptions& options) {
-  std::vector<SmoothBody> limbs;
-  for (const Limb& limb : creature_limbs(options)) limbs.emplace_back(std::vector<Limb>{limb});
-  std::vector<int> part;
-  for (FaceId f : mesh.faces()) {
-    const Vec3 at = center(mesh, f);
-    const auto nearest = std::min_element(limbs.begin(), limbs.end(), [&](const SmoothBody& a, const SmoothBody& b) {
-      return a.value(at) < b.value(at);
-    });
-    part.push_back(parts_of_limbs(options.animal)[nearest - limbs.begin()]);
-  }
-  return part;
-}
-
 void limbs_of_animals(Table& table, bool quick) {
   double sums[3] = {0, 0, 0}, worst = 1;
   int count = 0;
@@ -227,6 +113,10 @@ void growth(Table& table, bool quick) {
 
 int main(int argc, char** argv) {
   using namespace plico::bench;
+  if (argc > 1 && std::strcmp(argv[1], "--acceptance") == 0) {
+    argv[1] = argv[0];
+    return acceptance(arguments(argc - 1, argv + 1)) ? 0 : 1;
+  }
   const Arguments args = arguments(argc, argv);
   const std::vector<Named> meshes = all_meshes(args);
   const std::vector<std::string> columns{"mesh",     "faces",          "wish",    "parts",    "proven",

@@ -160,6 +160,7 @@ void BranchSampler::place_from(Sample& sample, int root, int barred) {
       queue_.emplace_back(q, kit_.twin[side]);
     }
   }
+  work_ += static_cast<long>(queue_.size());
 }
 
 void BranchSampler::place_all(Sample& sample) {
@@ -299,6 +300,7 @@ bool BranchSampler::meet(const Sample& sample, std::span<const int> branch, int 
   const Pose motion = moved_by(sample, side);
   const int hinge_in = side_panel_[side], hinge_out = side_panel_[kit_.twin[side]];
   move_branch(sample, branch, motion);
+  work_ += static_cast<long>(moved_.size());
   find_near(sample);
   if (near_.empty()) return false;
   const Vec3* corners = moved_.data();

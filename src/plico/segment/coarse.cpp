@@ -4,13 +4,13 @@
 #include <limits>
 #include <map>
 #include <optional>
-#include <set>
 
 #include "plico/geom/box_tree.h"
 #include "plico/mesh/measures.h"
 #include "plico/mesh/simplify.h"
 #include "plico/segment/given.h"
 #include "plico/segment/rearrange.h"
+#include "plico/segment/settle.h"
 
 namespace plico {
 namespace {
@@ -74,29 +74,6 @@ std::vector<int> without_loose_pieces(const Mesh& mesh, const DualGraph& graph, 
   }
 }
 
-void smooth_seams(const DualGraph& graph, std::vector<int>& part) {
-  std::set<std::pair<int, int>> pairs;
-  for (int f = 0; f < graph.num_faces(); ++f)
-    for (const DualGraph::Arc& arc : graph.arcs(f))
-      if (part[f] < part[arc.to]) pairs.emplace(part[f], part[arc.to]);
-  for (const auto& [a, b] : pairs) {
-    std::vector<int> faces, side;
-    for (int f = 0; f < graph.num_faces(); ++f) {
-      if (part[f] == a || part[f] == b) faces.push_back(f);
-      if (part[f] == b) side.push_back(f);
-    }
-    if (side.empty() || side.size() == faces.size()) continue;
-    const std::optional<Neck> neck = smoothed_neck(graph, faces, side, {.min_area = 0});
-    if (!neck) continue;
-    // The smaller side is told; it keeps the number that most of it has.
-    long in_b = 0;
-    for (int f : neck->side) in_b += part[f] == b;
-    const bool is_b = 2 * in_b > static_cast<long>(neck->side.size());
-    for (int f : faces) part[f] = is_b ? a : b;
-    for (int f : neck->side) part[f] = is_b ? b : a;
-  }
-}
-
 }  // namespace
 
 std::vector<int> cut_limbs_of(const Mesh& mesh, const DualGraph& graph, const NeckCutOptions& options, const Run& run) {
@@ -110,7 +87,7 @@ std::vector<int> cut_limbs_of(const Mesh& mesh, const DualGraph& graph, const Ne
   std::vector<int> part;
   for (FaceId f : mesh.faces()) part.push_back(coarse_part[nearest(center(mesh, f), normal(mesh, f))]);
   part = without_loose_pieces(mesh, graph, std::move(part));
-  smooth_seams(graph, part);
+  settle_seams(graph, whole.of_face, part, {.min_area = 0});
   return connected_pieces(mesh, part);
 }
 

@@ -25,7 +25,7 @@ DualGraph::DualGraph(const Mesh& mesh) {
       const FaceId other = mesh.face(twin);
       const Vec3 middle = (mesh.point(mesh.from(h)) + mesh.point(mesh.to(h))) / 2;
       const EdgeId e = mesh.edge(h);
-      arcs_.push_back({other, length(mesh, e) * seam_factor(sharper * fold_angle(mesh, e)),
+      arcs_.push_back({other, length(mesh, e) * seam_factor(sharper * fold_angle(mesh, e)), length(mesh, e),
                        (center(mesh, f) - middle).norm() + (center(mesh, other) - middle).norm()});
     }
     first_.push_back(static_cast<int>(arcs_.size()));
@@ -38,6 +38,12 @@ void DualGraph::hold(int a, int b) {
   for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}})
     for (int i = first_[from]; i < first_[from + 1]; ++i)
       if (arcs_[i].to == to) arcs_[i].cost = held_cost();
+}
+
+DualGraph DualGraph::with_length(double share) const {
+  DualGraph longer = *this;
+  for (Arc& arc : longer.arcs_) arc.cost += share * arc.length;
+  return longer;
 }
 
 double seam_factor(double fold_angle) {

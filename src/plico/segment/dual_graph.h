@@ -12,6 +12,7 @@ class DualGraph {
   struct Arc {
     int to = 0;           // face
     double cost = 0;      // of a seam here: length times seam_factor(fold angle, as a mesh of 2,000 faces has it)
+    double length = 0;    // of the edge
     double distance = 0;  // between the centres of both faces, over the middle of the edge
   };
 
@@ -24,6 +25,9 @@ class DualGraph {
   // No cut may part these neighbours: a seam there costs held_cost(), which is more than any that may be cut.
   void hold(int a, int b);
   double held_cost() const;
+
+  // The same faces, where every seam costs this share of its length besides.
+  DualGraph with_length(double share) const;
 
   std::span<const Arc> arcs(int face) const {
     return {arcs_.data() + first_[face], static_cast<std::size_t>(first_[face + 1] - first_[face])};

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "plico/base/libm.h"
+#include "plico/segment/settle.h"
 
 namespace plico {
 namespace {
@@ -193,10 +194,14 @@ std::vector<int> cut_limbs(const DualGraph& graph, const std::vector<int>& part,
   const bool any_cut = std::isinf(options.worst_score);
   parts.cut(options.max_parts, any_cut ? kNoNeck : options.worst_score);
   if (parts.size() > there + 1 && !run.over()) rearrange(parts, part);
-  if (!any_cut) return parts.part_of_face();
-  NeckCutOptions forgiving = options;
-  forgiving.neck.area_power = kForgivingPower;
-  return cut_at_necks(graph, parts.part_of_face(), forgiving, run);
+  std::vector<int> limbs = parts.part_of_face();
+  if (any_cut) {
+    NeckCutOptions forgiving = options;
+    forgiving.neck.area_power = kForgivingPower;
+    limbs = cut_at_necks(graph, std::move(limbs), forgiving, run);
+  }
+  if (!run.over()) settle_seams(graph, part, limbs, options.neck);
+  return limbs;
 }
 
 }  // namespace plico

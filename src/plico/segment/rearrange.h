@@ -12,8 +12,9 @@ namespace plico {
 // cut_at_necks() would cut; then four more, joined again where that costs least; then single seams are exchanged for
 // others while the sum over all seams of cost over area of the smaller neighbour to the power 0.8 falls. The new parts
 // stand only when they are clearly better by that sum and their seams not much dearer. Where a number is asked for
-// (worst_score infinite) and necks run out, short seams do: their score forgives small sides. Parts that were there
-// are never joined. A run that is over leaves fewer parts. Tens of best_neck().
+// (worst_score infinite) and necks run out, short seams do: their score forgives small sides. At last seams settle
+// (segment/settle.h). Parts that were there are never joined. A run that is over leaves fewer parts. Tens of
+// best_neck().
 std::vector<int> cut_limbs(const DualGraph& graph, const std::vector<int>& part, const NeckCutOptions& options = {},
                            const Run& run = {});
 

@@ -29,13 +29,18 @@ class PeelSearch {
       const std::vector<OpenAngles> way = levels_[first]->next_way(effort_, run_);
       if (way.empty()) {
         if (first == 0) break;
+        keep();
         steps_.pop_back();
         continue;
       }
       if (!enter(first + 1, way.back())) continue;
       steps_.push_back(step(first, way));
-      keep();
+      if (static_cast<int>(steps_.size()) > opened_) {
+        opened_ = static_cast<int>(steps_.size());
+        nodes_at_best_ = effort_.nodes;
+      }
     }
+    keep();
     result_.whole = result_.opened == hinges_;
     result_.nodes = options_.nodes - effort_.nodes;
     result_.intervals = effort_.intervals;
@@ -53,7 +58,8 @@ class PeelSearch {
       const bool was_open = before && i + 1 < width(first - 1);
       angles[i] = was_open ? (*before)[i + 1] : bodies_.pile_angle(first + i);
     }
-    if (!levels_[first]) levels_[first] = std::make_unique<PeelLevel>(bodies_, first, width(first), options_.step);
+    if (!levels_[first])
+      levels_[first] = std::make_unique<PeelLevel>(bodies_, first, width(first), options_.step, options_.sample);
     return levels_[first]->enter(angles);
   }
 
@@ -68,11 +74,10 @@ class PeelSearch {
     return effort_.nodes <= 0 || nodes_at_best_ - effort_.nodes > options_.patience || run_.over();
   }
 
-  // The longest prefix so far.
+  // The steps are as many as they will be for a while: are they the longest prefix so far?
   void keep() {
     const int opened = static_cast<int>(steps_.size());
     if (opened <= result_.opened) return;
-    nodes_at_best_ = effort_.nodes;
     result_.opened = opened;
     result_.steps = steps_;
   }
@@ -82,6 +87,7 @@ class PeelSearch {
   const Run& run_;
   const int hinges_;
   PeelEffort effort_;
+  int opened_ = 0;                                  // in the longest prefix
   long nodes_at_best_ = 0;                          // left when the longest prefix grew
   std::vector<std::unique_ptr<PeelLevel>> levels_;  // of those that were entered
   std::vector<PeelStep> steps_;
@@ -94,6 +100,7 @@ Peel peel(const Linkage& chain, int sign, const PeelOptions& options, const Run&
   require(options.air > 0 && options.air < 0.5, "air", options.air, "in (0, 0.5)");
   require(options.widest >= 1 && options.widest <= kMostOpen, "widest", options.widest, "1 to 4");
   require(options.step >= 1 && 90 % options.step == 0, "step", options.step, "a divisor of 90");
+  require(options.sample >= 0, "sample", options.sample, "at least 0");
   require(options.nodes >= 0, "nodes", options.nodes, "at least 0");
   require(options.patience >= 1, "patience", options.patience, "at least 1");
   return PeelSearch(chain, sign, options, run).run();

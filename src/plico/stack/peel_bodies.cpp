@@ -1,6 +1,7 @@
 #include "plico/stack/peel_bodies.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace plico {
 namespace {
@@ -13,25 +14,34 @@ std::vector<OrientedBox> boxes_at(const std::vector<Pose>& poses, const std::vec
 
 }  // namespace
 
-RunTree::RunTree(const std::vector<OrientedBox>& boxes) : size_(static_cast<int>(boxes.size())) {
-  std::size_t nodes = 1;
-  while (nodes < 2 * boxes.size()) nodes *= 2;
-  spheres_.resize(2 * nodes);
-  build(0, 0, size_, boxes);
+BoxTree::BoxTree(const std::vector<OrientedBox>& boxes) {
+  nodes_.reserve(2 * boxes.size());
+  std::vector<int> numbers(boxes.size());
+  std::iota(numbers.begin(), numbers.end(), 0);
+  build(numbers.begin(), numbers.end(), boxes);
 }
 
-void RunTree::build(std::size_t node, int from, int to, const std::vector<OrientedBox>& boxes) {
-  Vec3 low = boxes[from].center, high = low;
-  double radius = 0;
-  for (int i = from; i < to; ++i) {
-    low = low.cwiseMin(boxes[i].center);
-    high = high.cwiseMax(boxes[i].center);
-    radius = std::max(radius, boxes[i].half.norm());
+void BoxTree::build(std::vector<int>::iterator begin, std::vector<int>::iterator end,
+                    const std::vector<OrientedBox>& boxes) {
+  const std::size_t at = nodes_.size();
+  Eigen::AlignedBox3d around;
+  for (auto number = begin; number != end; ++number) {
+    const OrientedBox& box = boxes[*number];
+    const Vec3 half = box.axes.cwiseAbs() * box.half;
+    around.extend(Vec3(box.center - half)).extend(Vec3(box.center + half));
   }
-  spheres_[node] = {(low + high) / 2, (high - low).norm() / 2 + radius};
-  if (to - from == 1) return;
-  build(2 * node + 1, from, (from + to) / 2, boxes);
-  build(2 * node + 2, (from + to) / 2, to, boxes);
+  nodes_.push_back({around.min(), around.max(), around.diagonal().norm() / 2, *std::min_element(begin, end), 0});
+  if (end - begin == 1) return;
+  Eigen::Index longest = 0;
+  around.sizes().maxCoeff(&longest);
+  const auto middle = begin + (end - begin) / 2;
+  std::nth_element(begin, middle, end, [&](int a, int b) {
+    const double at_a = boxes[a].center[longest], at_b = boxes[b].center[longest];
+    return at_a != at_b ? at_a < at_b : a < b;
+  });
+  build(begin, middle, boxes);
+  nodes_[at].right = nodes_.size();
+  build(middle, end, boxes);
 }
 
 PeelBodies::PeelBodies(const Linkage& chain, int sign, double air)

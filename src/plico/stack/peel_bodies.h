@@ -7,38 +7,49 @@
 
 namespace plico {
 
-// Spheres around runs of boxes, halved down to single ones. Boxes that follow each other are near each other in a
-// chain, so this finds what is near without looking at all.
-class RunTree {
+// What is near among boxes along the axes: boxes around boxes, halved across their longest side down to single ones.
+class BoxTree {
  public:
-  explicit RunTree(const std::vector<OrientedBox>& boxes);
+  explicit BoxTree(const std::vector<OrientedBox>& boxes);
 
   // Does `is_met` say yes to one of the boxes 0 .. last? Asked are those that may come nearer than `slack` to `box`.
   template <class Test>
   bool any_near(const OrientedBox& box, double slack, int last, const Test& is_met) const {
-    return last >= 0 && any_below(0, 0, size_, box, slack, last, is_met);
+    const Vec3 half = box.axes.cwiseAbs() * box.half + Vec3::Constant(slack);
+    return any_below(0, {box, slack, last, box.center - half, box.center + half}, is_met);
   }
 
  private:
-  struct Sphere {
-    Vec3 center = Vec3::Zero();
+  struct Node {
+    Vec3 low, high;
     double radius = 0;
+    int first = 0;          // of the boxes in it the one with the lowest number
+    std::size_t right = 0;  // its second half, the first one is next; 0: a single box
+  };
+  struct Query {
+    const OrientedBox& box;
+    double slack;
+    int last;
+    Vec3 low, high;
   };
 
-  void build(std::size_t node, int from, int to, const std::vector<OrientedBox>& boxes);
+  void build(std::vector<int>::iterator begin, std::vector<int>::iterator end, const std::vector<OrientedBox>& boxes);
 
-  template <class Test>
-  bool any_below(std::size_t node, int from, int to, const OrientedBox& box, double slack, int last,
-                 const Test& is_met) const {
-    if (from > last || distance(box, spheres_[node].center) >= slack + spheres_[node].radius) return false;
-    if (to - from == 1) return is_met(from);
-    const int middle = (from + to) / 2;
-    return any_below(2 * node + 1, from, middle, box, slack, last, is_met) ||
-           any_below(2 * node + 2, middle, to, box, slack, last, is_met);
+  static bool may_touch(const Node& node, const Query& query) {
+    return node.first <= query.last && (query.low.array() <= node.high.array()).all() &&
+           (node.low.array() <= query.high.array()).all() &&
+           distance(query.box, (node.low + node.high) / 2) < query.slack + node.radius;
   }
 
-  int size_;
-  std::vector<Sphere> spheres_;  // of a node's children at 2 node + 1 and + 2
+  template <class Test>
+  bool any_below(std::size_t at, const Query& query, const Test& is_met) const {
+    const Node& node = nodes_[at];
+    if (!may_touch(node, query)) return false;
+    if (node.right == 0) return is_met(node.first);
+    return any_below(at + 1, query, is_met) || any_below(node.right, query, is_met);
+  }
+
+  std::vector<Node> nodes_;
 };
 
 class PeelBodies {
@@ -49,7 +60,7 @@ class PeelBodies {
   int num_panels() const { return static_cast<int>(standing_.size()); }
   const Hinge& hinge(int h) const { return chain_.hinges[h]; }
   const OrientedBox& standing(int panel) const { return standing_[panel]; }
-  const RunTree& standing_tree() const { return tree_; }
+  const BoxTree& standing_tree() const { return tree_; }
   const Pose& pose(int panel) const { return pose_[panel]; }
   // Bodies nearer than that count as touching: what only just passes could not be proven by another's arithmetic.
   double least_gap() const { return air_ / 10; }
@@ -66,7 +77,7 @@ class PeelBodies {
   double sign_, half_side_, half_thickness_, air_;
   std::vector<Pose> pose_;
   std::vector<OrientedBox> standing_;
-  RunTree tree_;
+  BoxTree tree_;
 };
 
 }  // namespace plico

@@ -12,10 +12,11 @@ constexpr int kHaste = 2;       // weight of what is left to go
 
 }  // namespace
 
-PeelLevel::PeelLevel(const PeelBodies& bodies, int first, int count, int step)
+PeelLevel::PeelLevel(const PeelBodies& bodies, int first, int count, int step, double sample)
     : window_(bodies, first, count),
       step_(step),
-      target_(static_cast<int>(std::lround(degrees(bodies.hinge(first).target) / step)) + 180 / step) {
+      target_(static_cast<int>(std::lround(degrees(bodies.hinge(first).target) / step)) + 180 / step),
+      sample_(sample) {
   int all = 1;
   for (int i = 0; i < count; ++i) all *= 3;
   for (int code = 0; code < all; ++code) {
@@ -73,7 +74,9 @@ bool PeelLevel::is_reached(const Try& next, PeelEffort& effort) {
     from_[next.node] = kBlocked;
     return false;
   }
-  return window_.free_between(angles_of(next.from), angles, effort.intervals);
+  const OpenAngles from = angles_of(next.from);
+  return sample_ > 0 ? window_.free_at_samples(from, angles, sample_)
+                     : window_.free_between(from, angles, effort.intervals);
 }
 
 void PeelLevel::push_around(int node, int turns) {

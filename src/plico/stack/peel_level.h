@@ -19,8 +19,8 @@ struct PeelEffort {
 // piece that leads to it is proven free (lazy A*: tried when its turn comes, so few are).
 class PeelLevel {
  public:
-  // `step` degrees between states, a divisor of 90.
-  PeelLevel(const PeelBodies& bodies, int first, int count, int step);
+  // `step` degrees between states, a divisor of 90; `sample` as in PeelOptions.
+  PeelLevel(const PeelBodies& bodies, int first, int count, int step, double sample);
 
   // Begins at these angles; false when they were reached before.
   bool enter(const OpenAngles& angles);
@@ -49,6 +49,7 @@ class PeelLevel {
 
   PeelWindow window_;
   int step_, target_;
+  double sample_;
   std::vector<Cell> moves_;
   std::priority_queue<Try, std::vector<Try>, std::greater<>> tries_;
   std::unordered_map<int, int> from_;  // of every state reached; kBlocked: it collides

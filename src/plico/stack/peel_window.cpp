@@ -10,6 +10,8 @@ namespace plico {
 namespace {
 
 constexpr int kMostHalvings = 32;
+constexpr int kHalvingsOfAll = 4;       // then only what was near is looked at
+constexpr double kFirstLook = 15;       // degrees
 constexpr long kMostIntervals = 20000;  // of one way: a search that is asked to stop must not hang in a narrow place
 
 // Farthest distance of the corners from the line.
@@ -167,18 +169,63 @@ bool PeelWindow::free_at(const OpenAngles& angles) const {
   return !is_hit(at);
 }
 
+bool PeelWindow::free_at_samples(const OpenAngles& from, const OpenAngles& to, double apart) const {
+  double most = 0;
+  for (int i = 0; i < count_; ++i) most = std::max(most, std::abs(to[i] - from[i]));
+  const int pieces = static_cast<int>(std::ceil(degrees(most) / apart));
+  for (int k = 1; k < pieces; ++k) {
+    OpenAngles at{};
+    for (int i = 0; i < count_; ++i) at[i] = from[i] + (to[i] - from[i]) * k / pieces;
+    if (!free_at(at)) return false;
+  }
+  return true;
+}
+
 bool PeelWindow::free_between(const OpenAngles& from, const OpenAngles& to, long& intervals) const {
-  return halve(from, to, 0, intervals, intervals + kMostIntervals);
+  // What collides mostly does so deeply: seen sooner than by halving, which begins where it is just free.
+  return free_at_samples(from, to, kFirstLook) && halve(from, to, 0, intervals, intervals + kMostIntervals);
 }
 
 bool PeelWindow::halve(const OpenAngles& from, const OpenAngles& to, int depth, long& intervals, long most) const {
+  if (depth == kHalvingsOfAll) return halve_near(from, to, near_pairs(interval(from, to)), depth, intervals, most);
   if (++intervals > most) return false;
   const Interval whole = interval(from, to);
   if (is_hit(whole.at)) return false;
   if (is_clear(whole)) return true;
   const OpenAngles half = middle(from, to);
-  return depth < kMostHalvings && halve(from, half, depth + 1, intervals, most) &&
-         halve(half, to, depth + 1, intervals, most);
+  return halve(from, half, depth + 1, intervals, most) && halve(half, to, depth + 1, intervals, most);
+}
+
+std::vector<PeelWindow::Pair> PeelWindow::near_pairs(const Interval& interval) const {
+  std::vector<Pair> pairs;
+  for (const auto& [deep, other] : inner_) pairs.push_back({deep, other, false});
+  for (int m = 0; m < static_cast<int>(movers_.size()); ++m) {
+    const auto add = [&](int panel) {
+      pairs.push_back({m, panel, true});
+      return false;
+    };
+    const double slack = motion(m, 0, interval).total + bodies_.least_gap();
+    bodies_.standing_tree().any_near(interval.at.box[m], slack, last_standing(m), add);
+  }
+  return pairs;
+}
+
+bool PeelWindow::halve_near(const OpenAngles& from, const OpenAngles& to, const std::vector<Pair>& pairs, int depth,
+                            long& intervals, long most) const {
+  if (++intervals > most || depth > kMostHalvings) return false;
+  const Interval whole = interval(from, to);
+  std::vector<Pair> left;
+  for (const Pair& pair : pairs) {
+    const OrientedBox& mover = whole.at.box[pair.mover];
+    const OrientedBox& other = pair.stands ? bodies_.standing(pair.other) : whole.at.box[pair.other];
+    if (gap(mover, other) <= bodies_.least_gap()) return false;
+    const int below = pair.stands ? 0 : movers_[pair.other].depth;
+    if (!stays_clear(mover, other, motion(pair.mover, below, whole))) left.push_back(pair);
+  }
+  if (left.empty()) return true;
+  const OpenAngles half = middle(from, to);
+  return halve_near(from, half, left, depth + 1, intervals, most) &&
+         halve_near(half, to, left, depth + 1, intervals, most);
 }
 
 }  // namespace plico

@@ -20,6 +20,8 @@ class PeelWindow {
   int count() const { return count_; }
 
   bool free_at(const OpenAngles& angles) const;
+  // Some moments of the straight way between two states, so many degrees apart.
+  bool free_at_samples(const OpenAngles& from, const OpenAngles& to, double apart) const;
   // Every moment of the straight way between two states, by bisection: the gap of two boxes at the middle of an
   // interval, in some direction, against how far they can move in it. False also when that cannot be decided.
   bool free_between(const OpenAngles& from, const OpenAngles& to, long& intervals) const;
@@ -56,6 +58,12 @@ class PeelWindow {
     double against(const Vec3& direction) const;  // the corners never get lower than this in the direction
   };
 
+  // A mover, and what it may meet: a panel that stands, or another mover.
+  struct Pair {
+    int mover, other;
+    bool stands;
+  };
+
   void place(const OpenAngles& angles, Placed& placed) const;
   Interval interval(const OpenAngles& from, const OpenAngles& to) const;
   Motion motion(int mover, int below, const Interval& interval) const;
@@ -63,6 +71,9 @@ class PeelWindow {
   int last_standing(int mover) const;
   bool is_hit(const Placed& placed) const;
   bool is_clear(const Interval& interval) const;
+  std::vector<Pair> near_pairs(const Interval& interval) const;
+  bool halve_near(const OpenAngles& from, const OpenAngles& to, const std::vector<Pair>& pairs, int depth,
+                  long& intervals, long most) const;
   bool halve(const OpenAngles& from, const OpenAngles& to, int depth, long& intervals, long most) const;
 
   const PeelBodies& bodies_;

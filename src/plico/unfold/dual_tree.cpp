@@ -10,6 +10,9 @@ namespace plico {
 namespace {
 // Panels with at most this many corners are moved on the stack.
 constexpr int kSmall = 16;
+// Subtrees from this size on are sampled before they are looked at in full, at this many panels. A sample of fewer
+// panels or overlaps than the last two says nothing.
+constexpr int kSampledFrom = 192, kSample = 32, kSampleAtLeast = 8, kOverlapsAtLeast = 4;
 }  // namespace
 
 DualTree::DualTree(const FlatFaces& faces, const FoldForest& forest)
@@ -133,27 +136,67 @@ Motion2 DualTree::motion_for(int side) const {
   return carry(at_[h], at_[mesh().next(h)], at_[mesh().next(g)], at_[g]);
 }
 
+int DualTree::overlaps_if_moved(int panel, const Motion2& motion, int limit) const {
+  std::array<Vec2, kSmall> small;
+  std::vector<Vec2> large;
+  const int n = faces_->degree(panel);
+  Vec2* moved = small.data();
+  if (n > kSmall) {
+    large.resize(n);
+    moved = large.data();
+  }
+  const Vec2* from = corners(panel);
+  for (int i = 0; i < n; ++i) moved[i] = motion(from[i]);
+  int count = 0;
+  grid_.visit_meeting(box_of(moved, n), [&](int other) {
+    if (!gathered(other) && faces_->overlap(panel, moved, other, corners(other))) count += weight(panel, other);
+    return count < limit;
+  });
+  return count;
+}
+
 int DualTree::overlaps_if_hung(int side, int limit, long& looked) const {
   const Motion2 motion = motion_for(side);
   int count = 0;
-  std::array<Vec2, kSmall> small;
-  std::vector<Vec2> large;
   for (int panel : subtree_) {
     ++looked;
-    const int n = faces_->degree(panel);
-    Vec2* moved = small.data();
-    if (n > kSmall) {
-      large.resize(n);
-      moved = large.data();
-    }
-    const Vec2* from = corners(panel);
-    for (int i = 0; i < n; ++i) moved[i] = motion(from[i]);
-    grid_.visit_meeting(box_of(moved, n), [&](int other) {
-      if (!gathered(other) && faces_->overlap(panel, moved, other, corners(other))) count += weight(panel, other);
-      return count < limit;
-    });
-    if (count >= limit) return count;
+    count += overlaps_if_moved(panel, motion, limit - count);
+    if (count >= limit) break;
   }
+  return count;
+}
+
+bool DualTree::sample_overlaps_often(const Motion2& motion, int limit, long& looked) const {
+  const std::size_t stride = subtree_.size() / kSample;
+  long count = 0, panels = 0;
+  for (std::size_t i = stride / 2; i < subtree_.size(); i += stride) {
+    ++looked;
+    ++panels;
+    count += overlaps_if_moved(subtree_[i], motion, limit);
+    if (count >= limit) return true;
+    const bool enough = panels >= kSampleAtLeast && count >= kOverlapsAtLeast;
+    if (enough && count * static_cast<long>(subtree_.size()) > 2L * kSample * limit) return true;
+  }
+  return false;
+}
+
+int DualTree::overlaps_if_hung_sampled(int side, int limit, long& looked) {
+  const Motion2 motion = motion_for(side);
+  if (subtree_.size() >= kSampledFrom && sample_overlaps_often(motion, limit, looked)) return limit;
+  // Most hangings fail beside the new fold, or where the one before failed.
+  const int beside = mesh().face(HalfedgeId(side));
+  const int failed = failed_at_ >= 0 && failed_at_ != beside && gathered(failed_at_) ? failed_at_ : -1;
+  int count = 0;
+  const auto reaches_limit = [&](int panel) {
+    ++looked;
+    count += overlaps_if_moved(panel, motion, limit - count);
+    if (count < limit) return false;
+    failed_at_ = panel;
+    return true;
+  };
+  if (reaches_limit(beside) || (failed >= 0 && reaches_limit(failed))) return count;
+  for (int panel : subtree_)
+    if (panel != beside && panel != failed && reaches_limit(panel)) break;
   return count;
 }
 

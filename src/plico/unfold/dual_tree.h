@@ -42,6 +42,9 @@ class DualTree {
   // `looked`.
   int overlaps_with_rest() const;
   int overlaps_if_hung(int side, int limit, long& looked) const;
+  // The same, for large meshes: looks first where hangings are known to fail. Gives `limit` without looking further
+  // when panels spread over a big subtree say that more than twice as many would overlap.
+  int overlaps_if_hung_sampled(int side, int limit, long& looked);
 
   // How the gathered subtree would move if it were hung by `side`.
   Motion2 motion_for(int side) const;
@@ -60,6 +63,8 @@ class DualTree {
   void forget_pairs_of_gathered();
   void find_pairs_of_gathered();
   int weight(int a, int b) const;
+  int overlaps_if_moved(int panel, const Motion2& motion, int limit) const;
+  bool sample_overlaps_often(const Motion2& motion, int limit, long& looked) const;
   void drop_partner(int panel, int partner);
   void turn_round(int panel);  // makes `panel` the root of its subtree's tree
   void measure_gathered();     // depths and sizes below the first gathered panel
@@ -78,6 +83,7 @@ class DualTree {
 
   std::vector<int> subtree_, mark_;
   int stamp_ = 0;
+  int failed_at_ = -1;  // the panel at which overlaps_if_hung_sampled last reached its limit
 };
 
 }  // namespace plico

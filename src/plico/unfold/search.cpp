@@ -34,12 +34,22 @@ constexpr int kPatience = 3;
 constexpr int kWeightStep = 20;
 // Sides tried at least, however large the subtree.
 constexpr int kFewestSides = 8;
+// On large meshes a few big branches come to lie on each other, and small steps go round them for a long time. From
+// this many faces on every so many-th step tries to hang a branch of at least kBigBranch panels by one of kBigSides
+// sides; and what is gathered, kGatheredALook panels a look, counts as looked at.
+constexpr int kLargeMesh = 2000, kBigStepEvery = 5, kBigBranch = 64, kBigSides = 32, kGatheredALook = 8;
 
 // The search within one connected mesh.
 class Search {
  public:
   Search(const FlatFaces& faces, DualTree& tree, const SearchOptions& options, Rng rng, const Run& run)
-      : mesh_(faces.mesh()), tree_(tree), options_(options), rng_(rng), run_(run), tabu_until_(mesh_.num_edges(), -1) {}
+      : mesh_(faces.mesh()),
+        tree_(tree),
+        options_(options),
+        rng_(rng),
+        run_(run),
+        tabu_until_(mesh_.num_edges(), -1),
+        large_(mesh_.num_faces() >= kLargeMesh) {}
 
   Ending go(long& steps, long max_steps) {
     while (tree_.num_overlaps() > 0) {
@@ -51,7 +61,7 @@ class Search {
       }
       step_ = steps++;
       const auto [a, b] = pick_pair();
-      resolve(a, b);
+      if (!large_ || step_ % kBigStepEvery != 0 || !hang_big_branch(a, b)) resolve(a, b);
     }
     return Ending::Found;
   }
@@ -73,10 +83,27 @@ class Search {
       const long enough = best.panel < 0    ? kPatience * options_.effort
                           : best.change < 0 ? options_.effort / 4
                                             : options_.effort;
-      if (looked > enough || try_hangings(panel, best, looked)) break;
+      if (looked > enough || try_hangings(panel, best, looked, kFewestSides)) break;
     }
     if (best.change == 0) tree_.aggravate(a, b, kWeightStep);
-    if (best.panel < 0) return;
+    if (best.panel >= 0) hang(best);
+  }
+
+  // Cuts at one fold between the two panels that carries a big branch, any of them. False when no better place is
+  // found.
+  bool hang_big_branch(int a, int b) {
+    const std::vector<int>& between = subtrees_between(a, b);
+    const auto big =
+        std::find_if(between.begin(), between.end(), [&](int p) { return tree_.subtree_size(p) >= kBigBranch; });
+    if (big == between.end()) return false;
+    Hanging best;
+    long looked = 0;
+    try_hangings(big[rng_.below(static_cast<int>(between.end() - big))], best, looked, kBigSides);
+    if (best.change < 0) hang(best);
+    return best.change < 0;
+  }
+
+  void hang(const Hanging& best) {
     tree_.gather(best.panel);
     tabu_until_[mesh_.edge(HalfedgeId(tree_.parent_side(best.panel)))] =
         step_ + options_.tabu_tenure + rng_.below(std::max(options_.tabu_tenure, 1));
@@ -97,14 +124,18 @@ class Search {
 
   // All sides by which the subtree could hang, a random few when it is large; ties are broken evenly. True as soon as
   // one is free of overlaps: looking for a second such side would more than double the time of a step.
-  bool try_hangings(int panel, Hanging& best, long& looked) {
+  bool try_hangings(int panel, Hanging& best, long& looked, int fewest_sides) {
     const auto subtree = tree_.gather(panel);
+    if (large_) looked += static_cast<long>(subtree.size()) / kGatheredALook;
     const int before = tree_.overlaps_with_rest();
     collect_sides(subtree, tree_.parent_side(panel));
-    choose_some(std::max(kFewestSides, options_.effort / static_cast<int>(subtree.size())));
+    choose_some(std::max(fewest_sides, options_.effort / static_cast<int>(subtree.size())));
     for (int side : sides_) {
       if (before + best.change < 0) return false;
-      const int change = tree_.overlaps_if_hung(side, before + best.change + 1, looked) - before;
+      const int limit = before + best.change + 1;
+      const int change =
+          (large_ ? tree_.overlaps_if_hung_sampled(side, limit, looked) : tree_.overlaps_if_hung(side, limit, looked)) -
+          before;
       if (change > best.change) continue;
       ties_ = change < best.change || best.panel < 0 ? 1 : ties_ + 1;
       if (rng_.below(ties_) == 0) best = {panel, side, change};
@@ -137,6 +168,7 @@ class Search {
   Rng rng_;
   const Run& run_;
   std::vector<long> tabu_until_;  // by edge: the step from which it may become a fold again
+  const bool large_;
   std::vector<int> between_, sides_;
   long step_ = 0;
   int ties_ = 1;

@@ -2,8 +2,9 @@
 // all panels apart at every moment in between? Knows nothing of the search. Panels that do not move against each other
 // are taken together: hinges that rest between two waypoints cut the chain into rigid groups, and a pile within a group
 // is one box. Two boxes are apart for as long as their distance lasts at the most speed they can have (conservative
-// advancement, as Mirtich 1996); so what is proven is every moment, not samples. Of the search it shares only the
-// folding map and the gap of two boxes, which a test holds against the separation of prisms.
+// advancement, as Mirtich 1996), and from all that a sphere holds for as long as they are from the sphere; so what is
+// proven is every moment, not samples. Of the search it shares only the folding map and the gap of two boxes, which a
+// test holds against the separation of prisms.
 #pragma once
 #include <vector>
 

@@ -65,6 +65,7 @@ class SampledCost : public MotionCost {
     return sampler_.conflicts_if_hung(branch, side, limit);
   }
   void hang(std::span<const int> branch, int side) override { sampler_.hang(branch, side); }
+  long work() const override { return sampler_.work() + looked_at_; }
 
   Closer look_closer(const FoldForest& tree, const Run& run) override {
     const Linkage linkage = linkage_of(lay_flat(mesh_, tree));
@@ -76,12 +77,14 @@ class SampledCost : public MotionCost {
     const int checks = 8 * options_.samples;
     for (int i = 0, seen = 0; i < checks && seen < scaled(4, 12) && !run.over(); ++i) {
       const double time = (i + shift) / checks;
+      looked_at_ += 2L * mesh_.num_faces();
       if (!checker.collides(path.at(time))) continue;
       sampler_.add_sample(time);
       ++seen;
     }
     if (cost() > 0) return Closer::Seen;
     const PathProof proof = prove_path(linkage, path, {.clearance = clearance_}, run);
+    looked_at_ += proof.pair_intervals;
     if (proof.verdict == PathVerdict::Free) return Closer::Free;
     if (proof.verdict == PathVerdict::Undecided) return Closer::Unclear;
     sampler_.add_sample(proof.to);
@@ -100,6 +103,7 @@ class SampledCost : public MotionCost {
   double clearance_;
   BranchSampler sampler_;
   long looks_ = 0;
+  long looked_at_ = 0;  // panels by checks, pairs by proofs; each takes about as long as the sampler for one unit
 };
 
 // Replaces `found` by a net that folds if there is one. False when there is certainly none.

@@ -73,7 +73,10 @@ TEST(FoldableNet, TwoBodiesAreRefused) {
 TEST(FoldableNet, OptionsAreChecked) {
   EXPECT_THROW(check(FoldableOptions{.lanes = 0}), InvalidOption);
   EXPECT_THROW(check(FoldableOptions{.temperature = 0}), InvalidOption);
+  EXPECT_THROW(check(FoldableOptions{.coldest = 7}), InvalidOption);
   EXPECT_THROW(check(FoldableOptions{.nearby = 1.5}), InvalidOption);
+  EXPECT_THROW(check(FoldableOptions{.seams = -0.1}), InvalidOption);
+  EXPECT_THROW(check(FoldableOptions{.steps_per_recooling = 0}), InvalidOption);
 }
 
 }  // namespace

@@ -12,6 +12,32 @@ namespace plico::fold_json {
 namespace {
 
 constexpr double kMaxCoordinate = 1e30;  // as for meshes: products of six must stay finite
+constexpr double kFlatSheet = 1e-5;      // of the extent
+
+// Of the points, the one for which `distance` is largest.
+template <class Distance>
+const Vec3& farthest(const std::vector<Vec3>& points, Distance distance) {
+  return *std::max_element(points.begin(), points.end(),
+                           [&](const Vec3& a, const Vec3& b) { return distance(a) < distance(b); });
+}
+
+// Through three points that are far apart, so that rounding turns it little.
+SheetPlane plane_through(const std::vector<Vec3>& points) {
+  SheetPlane plane;
+  plane.axis = -1;
+  plane.on = points[0];
+  const Vec3 along = farthest(points, [&](const Vec3& p) { return (p - plane.on).norm(); }) - plane.on;
+  const Vec3 side = farthest(points, [&](const Vec3& p) { return along.cross(p - plane.on).norm(); }) - plane.on;
+  Vec3 normal = along.cross(side).normalized();
+  int axis = 2;
+  for (const int other : {1, 0})
+    if (std::abs(normal[other]) > std::abs(normal[axis])) axis = other;
+  if (normal[axis] < 0) normal = -normal;
+  const Vec3 right = axis == 0 ? Vec3::UnitY() : Vec3::UnitX();
+  plane.right = (right - right.dot(normal) * normal).normalized();
+  plane.up = normal.cross(plane.right);
+  return plane;
+}
 
 }  // namespace
 
@@ -129,22 +155,29 @@ std::vector<Vec3> points(const Frame& frame, int size) {
   return result;
 }
 
-int plane_of(const Json& coords) {
-  for (std::size_t axis : {2, 1, 0}) {
-    std::optional<double> level;
-    const bool in_plane = std::all_of(coords.begin(), coords.end(), [&](const Json& row) {
-      if (!row.is_array() || (axis == 2 && row.size() < 3)) return true;  // read_net says what is wrong with it
-      if (row.size() < 3 || !row[axis].is_number()) return false;
-      return row[axis].get<double>() == level.emplace(level.value_or(row[axis].get<double>()));
-    });
-    if (in_plane) return static_cast<int>(axis);
-  }
-  return -1;
+std::optional<SheetPlane> sheet_plane(const std::vector<Vec3>& points) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& p : points) box.extend(p);
+  if (box.isEmpty()) return SheetPlane();
+  const Vec3 sizes = box.sizes();
+  const double most_off = kFlatSheet * sizes.maxCoeff();
+  for (const double allowed : {0.0, most_off})
+    for (const int axis : {2, 1, 0})
+      if (sizes[axis] <= allowed) {
+        SheetPlane plane;
+        plane.axis = axis, plane.off = sizes[axis];
+        return plane;
+      }
+  SheetPlane plane = plane_through(points);
+  const Vec3 normal = plane.right.cross(plane.up);
+  for (const Vec3& p : points) plane.off = std::max(plane.off, std::abs(normal.dot(p - plane.on)));
+  return plane.off <= most_off ? std::optional(plane) : std::nullopt;
 }
 
-Vec2 in_plane(const Vec3& p, int axis) {
-  if (axis == 1) return {p.x(), 0.0 - p.z()};
-  return axis == 0 ? Vec2(p.y(), p.z()) : Vec2(p.x(), p.y());
+Vec2 in_plane(const Vec3& p, const SheetPlane& plane) {
+  if (plane.axis < 0) return {plane.right.dot(p - plane.on), plane.up.dot(p - plane.on)};
+  if (plane.axis == 1) return {p.x(), 0.0 - p.z()};
+  return plane.axis == 0 ? Vec2(p.y(), p.z()) : Vec2(p.x(), p.y());
 }
 
 }  // namespace plico::fold_json

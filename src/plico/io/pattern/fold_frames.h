@@ -2,6 +2,7 @@
 // read from one frame or from all.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,12 +54,18 @@ std::vector<int> indices(const Frame& frame, const char* key, int size, int limi
 // n x 3, the coordinates of a frame; a missing z is 0. Empty when there are none.
 std::vector<Vec3> points(const Frame& frame, int size = -1);
 
-// The axis in whose plane all points of a sheet lie, 0 to 2; -1 when there is none.
-int plane_of(const Json& coords);
+// The plane that a sheet lies in. Its front is seen from the positive side: from that of the axis which the plane is
+// most nearly square to. x goes to the right (y where x cannot), so in the plane of x and z, as Origami Simulator
+// writes it, z comes towards the reader.
+struct SheetPlane {
+  int axis = 2;  // square to x, y or z: the other two coordinates are taken as they are; -1: tilted
+  Vec3 on{0, 0, 0}, right{1, 0, 0}, up{0, 1, 0};  // of a tilted one
+  double off = 0;                                 // of the point that is farthest from it
+};
 
-// The front of a sheet is seen from the positive side of its axis: x to the right, and in the plane of x and z, as
-// Origami Simulator writes it, z towards the reader.
-Vec2 in_plane(const Vec3& p, int axis);
+// Nothing when no plane has all points within 1e-5 of their extent, which is what rounding to five digits does.
+std::optional<SheetPlane> sheet_plane(const std::vector<Vec3>& points);
+Vec2 in_plane(const Vec3& p, const SheetPlane& plane);
 
 // The flat sheet that a frame holds, with its mesh numbers, parts and mates where it says so.
 Unfolding read_net(const Frame& frame);

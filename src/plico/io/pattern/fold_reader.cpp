@@ -36,8 +36,7 @@ bool is_flat_sheet(const Frame& frame) {
 }
 
 // No panel lies on its back, as some do in every form that is folded flat.
-bool all_panels_face_one_way(const Frame& frame, int axis) {
-  const std::vector<Vec3> at = points(frame);
+bool all_panels_face_one_way(const Frame& frame, const std::vector<Vec3>& at, const SheetPlane& plane) {
   const Json* faces = frame.array("faces_vertices");
   if (!faces) return true;
   int front = 0, back = 0;
@@ -45,7 +44,7 @@ bool all_panels_face_one_way(const Frame& frame, int axis) {
     std::vector<Vec2> corners;
     if (!(*faces)[f].is_array()) return false;
     for (const Json& v : (*faces)[f])
-      corners.push_back(in_plane(at[index(v, static_cast<int>(at.size()), frame, "faces_vertices", f)], axis));
+      corners.push_back(in_plane(at[index(v, static_cast<int>(at.size()), frame, "faces_vertices", f)], plane));
     const double area = corners.size() < 3 ? 0 : signed_area(corners);
     front += area > 0, back += area < 0;
   }
@@ -55,8 +54,9 @@ bool all_panels_face_one_way(const Frame& frame, int axis) {
 // Called folded, or in another plane, but flat all the same.
 bool is_flat_after_all(const Frame& frame) {
   if (!has_points(frame)) return false;
-  const int axis = plane_of(*frame.find("vertices_coords"));
-  return axis >= 0 && all_panels_face_one_way(frame, axis);
+  const std::vector<Vec3> at = points(frame);
+  const std::optional<SheetPlane> plane = sheet_plane(at);
+  return plane && all_panels_face_one_way(frame, at, *plane);
 }
 
 std::size_t sheet_frame(const std::vector<Frame>& all) {
@@ -72,14 +72,23 @@ std::size_t sheet_frame(const std::vector<Frame>& all) {
   fail("no-sheet", "no frame has vertices_coords", "vertices_coords");
 }
 
+std::vector<std::string> assumed(const SheetPlane& plane) {
+  std::vector<std::string> notes;
+  if (plane.axis < 0)
+    notes.emplace_back("the sheet lies in a tilted plane and was laid into that of x and y");
+  else if (plane.axis < 2)
+    notes.push_back(fmt::format("the sheet lies in the plane of {} and was laid into that of x and y",
+                                plane.axis == 0 ? "y and z" : "x and z"));
+  if (plane.off > 0 && plane.axis >= 0)
+    notes.push_back(fmt::format("the sheet is flat but for {:.2g}, which was left out", plane.off));
+  return notes;
+}
+
 std::vector<std::string> assumed(const Frame& frame, const CreasePattern& sheet) {
   std::vector<std::string> notes;
   if (is_called_folded(frame))
     notes.emplace_back("the frame is called a folded form but is flat: it was taken for the sheet");
-  const int axis = plane_of(*frame.find("vertices_coords"));
-  if (axis == 0 || axis == 1)
-    notes.push_back(fmt::format("the sheet lies in the plane of {} and was laid into that of x and y",
-                                axis == 0 ? "y and z" : "x and z"));
+  for (std::string& note : assumed(sheet_plane(points(frame)).value_or(SheetPlane()))) notes.push_back(std::move(note));
   const std::vector<EdgeSides> sides = edge_sides(sheet);
   int free = 0;
   for (std::size_t e = 0; e < sides.size(); ++e)

@@ -29,9 +29,9 @@ class SheetReader {
   explicit SheetReader(const Frame& frame) : frame_(frame) {}
 
   CreasePattern read() {
-    const Json* coords = frame_.find("vertices_coords");
-    const int axis = coords ? plane_of(*coords) : 2;
-    for (const Vec3& p : points(frame_)) sheet_.vertices.push_back(in_plane(p, axis));
+    const std::vector<Vec3> at = points(frame_);
+    const SheetPlane plane = sheet_plane(at).value_or(SheetPlane());
+    for (const Vec3& p : at) sheet_.vertices.push_back(in_plane(p, plane));
     read_edges();
     read_faces();
     add_missing_edges();

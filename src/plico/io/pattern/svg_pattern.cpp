@@ -111,6 +111,9 @@ class SvgReader {
       result.push_back(
           fmt::format("{} shapes with no stroke, or one of another colour, were left out (first at line {})",
                       colorless_, first_colorless_));
+    if (const int rules = rules_.num_left_out(); rules > 0)
+      result.push_back(fmt::format("{} rule{} of the style sheet {} left out: selectors are elements, classes and ids",
+                                   rules, rules == 1 ? "" : "s", rules == 1 ? "was" : "were"));
     if (unknown_ > 0) result.push_back(fmt::format("{} elements that draw no lines were left out", unknown_));
     return result;
   }
@@ -138,14 +141,21 @@ class SvgReader {
     for (const pugi::xml_node& child : node.children()) gather(child, depth + 1);
   }
 
+  // Where it stands in the file: what <use> draws elsewhere keeps its own.
+  static std::vector<SvgElement> chain_of(pugi::xml_node node) {
+    std::vector<SvgElement> chain;
+    for (; node.type() == pugi::node_element; node = node.parent())
+      chain.push_back({local_name(node), node.attribute("id").value(), node.attribute("class").value()});
+    return chain;
+  }
+
   // Attributes, then rules, then style="".
   SvgStyle style_of(const pugi::xml_node& node) const {
     SvgStyle style;
     for (const char* key : {"stroke", "opacity", "stroke-opacity", "display", "visibility", "color"})
       if (const auto attribute = node.attribute(key)) style[key] = attribute.value();
-    for (const auto& [key, value] :
-         rules_.style_of(local_name(node), node.attribute("id").value(), node.attribute("class").value()))
-      style[key] = value;
+    if (!rules_.empty())
+      for (const auto& [key, value] : rules_.style_of(chain_of(node))) style[key] = value;
     for (const auto& [key, value] : parse_declarations(node.attribute("style").value())) style[key] = value;
     return style;
   }

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 #include "plico/base/libm.h"
 #include "plico/io/text/text_scanner.h"
@@ -61,16 +62,35 @@ std::optional<double> color_part(std::string_view part, double whole) {
   return percent ? value / 100 * whole : value;
 }
 
-// The arguments of a colour, between blanks, commas or the slash before alpha.
-std::vector<std::string_view> color_words(std::string_view text) {
-  constexpr std::string_view kBetween = " \t\r\n\f,/";
-  std::vector<std::string_view> words;
-  for (auto at = text.find_first_not_of(kBetween); at != std::string_view::npos;) {
-    const auto end = std::min(text.find_first_of(kBetween, at), text.size());
-    words.push_back(text.substr(at, end - at));
-    at = text.find_first_not_of(kBetween, end);
+std::vector<std::string_view> words(std::string_view text, std::string_view between = kBlank) {
+  std::vector<std::string_view> result;
+  for (auto at = text.find_first_not_of(between); at != std::string_view::npos;) {
+    const auto end = std::min(text.find_first_of(between, at), text.size());
+    result.push_back(text.substr(at, end - at));
+    at = text.find_first_not_of(between, end);
   }
-  return words;
+  return result;
+}
+
+std::string without_comments(std::string_view text) {
+  std::string plain;
+  for (std::size_t i = 0; i < text.size();) {
+    const auto start = text.find("/*", i);
+    plain += text.substr(i, start - i);
+    const auto end = start == std::string_view::npos ? start : text.find("*/", start + 2);
+    i = end == std::string_view::npos ? text.size() : end + 2;
+  }
+  return plain;
+}
+
+// Of the brace that closes the one at `open`; the end of the text when none does.
+std::size_t end_of_block(std::string_view text, std::size_t open) {
+  int depth = 0;
+  for (std::size_t i = open; i < text.size(); ++i) {
+    if (text[i] == '{') ++depth;
+    if (text[i] == '}' && --depth == 0) return i;
+  }
+  return text.size();
 }
 
 int packed(double red, double green, double blue) {
@@ -92,11 +112,11 @@ int packed_hsl(double hue, double saturation, double lightness) {
 }
 
 std::optional<SvgColor> parse_function(bool hsl, std::string_view arguments) {
-  const std::vector<std::string_view> words = color_words(arguments);
-  if (words.size() != 3 && words.size() != 4) return {};
+  const std::vector<std::string_view> given = words(arguments, " \t\r\n\f,/");  // a slash before alpha
+  if (given.size() != 3 && given.size() != 4) return {};
   std::array<double, 4> parts{0, 0, 0, 1};
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    const std::optional<double> part = color_part(words[i], i == 3 || hsl ? 1 : 255);
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const std::optional<double> part = color_part(given[i], i == 3 || hsl ? 1 : 255);
     if (!part) return {};
     parts[i] = *part;
   }
@@ -149,57 +169,108 @@ SvgStyle parse_declarations(std::string_view text) {
 }
 
 void SvgRules::add(std::string_view text) {
-  std::string plain;
-  for (std::size_t i = 0; i < text.size();) {
-    const auto start = text.find("/*", i);
-    plain += text.substr(i, start - i);
-    const auto end = start == std::string_view::npos ? start : text.find("*/", start + 2);
-    i = end == std::string_view::npos ? text.size() : end + 2;
-  }
+  const std::string plain = without_comments(text);
   std::string_view rest = plain;
   for (auto open = rest.find('{'); open != std::string_view::npos; open = rest.find('{')) {
-    const auto close = rest.find('}', open);
-    const SvgStyle style = parse_declarations(rest.substr(open + 1, close - open - 1));
     std::string_view selectors = rest.substr(0, open);
     if (const auto statement = selectors.rfind(';'); statement != std::string_view::npos)
       selectors.remove_prefix(statement + 1);  // @import "...";
-    split(selectors, ',', [&](std::string_view selector) { add_rule(selector, style); });
-    if (close == std::string_view::npos) break;
+    const auto close = end_of_block(rest, open);
+    const std::string_view block = rest.substr(open + 1, close - open - 1);
+    if (trimmed(selectors).starts_with('@') || block.find('{') != std::string_view::npos)
+      ++left_out_;
+    else
+      split(selectors, ',', [&, style = parse_declarations(block)](auto selector) { add_rule(selector, style); });
+    if (close >= rest.size()) break;
     rest.remove_prefix(close + 1);
   }
 }
 
-void SvgRules::add_rule(std::string_view selector, const SvgStyle& style) {
-  if (selector.empty() || selector.find_first_of("@:[+~") != std::string_view::npos) return;
-  if (const auto outer = selector.find_last_of(" \t\r\n\f>"); outer != std::string_view::npos)
-    selector.remove_prefix(outer + 1);
-  Rule rule;
-  rule.style = style;
-  for (std::size_t at = 0; at < selector.size();) {
-    const auto end = std::min(selector.find_first_of(".#", at + 1), selector.size());
-    const std::string_view part = selector.substr(at, end - at);
+std::optional<SvgRules::Compound> SvgRules::compound(std::string_view word) {
+  Compound result;
+  for (std::size_t at = 0; at < word.size();) {
+    const auto end = std::min(word.find_first_of(".#", at + 1), word.size());
+    const std::string_view part = word.substr(at, end - at), name = part.substr(part[0] == '.' || part[0] == '#');
+    const bool any = at == 0 && part == "*";
+    if (!any && (name.empty() || name.find_first_of("*@:[]+~()=\"'\\") != std::string_view::npos)) return {};
     if (part[0] == '.')
-      rule.classes.emplace_back(part.substr(1));
+      result.classes.emplace_back(name);
     else if (part[0] == '#')
-      rule.id = part.substr(1);
-    else if (part != "*")
-      rule.element = part;
+      result.id = name;
+    else if (!any)
+      result.element = name;
     at = end;
   }
-  const auto heavier =
-      std::find_if(rules_.begin(), rules_.end(), [&](const Rule& r) { return r.weight() > rule.weight(); });
+  return result;
+}
+
+void SvgRules::add_rule(std::string_view selector, const SvgStyle& style) {
+  std::string spaced;
+  for (const char c : selector) spaced += c == '>' ? " > " : std::string(1, c);
+  Rule rule;
+  rule.style = style;
+  bool child = false, understood = true;
+  for (const std::string_view word : words(spaced)) {
+    if (word == ">") {
+      understood = understood && !child && !rule.compounds.empty();
+      child = true;
+      continue;
+    }
+    std::optional<Compound> next = compound(word);
+    if (!next) {
+      ++left_out_;
+      return;
+    }
+    next->child = std::exchange(child, false);
+    rule.compounds.insert(rule.compounds.begin(), std::move(*next));
+  }
+  if (!understood || child || rule.compounds.empty()) {
+    ++left_out_;
+    return;
+  }
+  const auto heavier = std::find_if(rules_.begin(), rules_.end(),
+                                    [weight = rule.weight()](const Rule& r) { return r.weight() > weight; });
   rules_.insert(heavier, std::move(rule));
 }
 
-SvgStyle SvgRules::style_of(std::string_view element, std::string_view id, std::string_view classes) const {
-  const std::vector<std::string_view> own = color_words(classes);
+int SvgRules::Rule::weight() const {
+  int sum = 0;
+  for (const Compound& c : compounds)
+    sum += 10000 * !c.id.empty() + 100 * static_cast<int>(c.classes.size()) + !c.element.empty();
+  return sum;
+}
+
+bool SvgRules::Compound::fits(const SvgElement& e) const {
+  if (!element.empty() && element != e.name) return false;
+  if (!id.empty() && id != e.id) return false;
+  const std::vector<std::string_view> own = words(e.classes);
+  return std::all_of(classes.begin(), classes.end(),
+                     [&](const std::string& name) { return std::find(own.begin(), own.end(), name) != own.end(); });
+}
+
+// From the inside out: which elements of the chain the compound may stand at, given where the one inside it may.
+bool SvgRules::Rule::fits(const std::vector<SvgElement>& chain) const {
+  if (chain.empty() || !compounds[0].fits(chain[0])) return false;
+  std::vector<char> at(chain.size(), 0);
+  at[0] = 1;
+  for (std::size_t k = 1; k < compounds.size(); ++k) {
+    std::vector<char> next(chain.size(), 0);
+    bool inside = false, any = false;
+    for (std::size_t i = 1; i < chain.size(); ++i) {
+      inside = compounds[k - 1].child ? at[i - 1] != 0 : inside || at[i - 1] != 0;
+      next[i] = inside && compounds[k].fits(chain[i]);
+      any = any || next[i] != 0;
+    }
+    if (!any) return false;
+    at.swap(next);
+  }
+  return true;
+}
+
+SvgStyle SvgRules::style_of(const std::vector<SvgElement>& chain) const {
   SvgStyle style;
   for (const Rule& rule : rules_) {
-    const bool fits = (rule.element.empty() || rule.element == element) && (rule.id.empty() || rule.id == id) &&
-                      std::all_of(rule.classes.begin(), rule.classes.end(), [&](const std::string& name) {
-                        return std::find(own.begin(), own.end(), name) != own.end();
-                      });
-    if (!fits) continue;
+    if (!rule.fits(chain)) continue;
     for (const auto& [key, value] : rule.style) style[key] = value;
   }
   return style;

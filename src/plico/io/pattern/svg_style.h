@@ -15,23 +15,41 @@ using SvgStyle = std::map<std::string, std::string, std::less<>>;  // property -
 // "stroke:#f00; opacity:.5" as properties.
 SvgStyle parse_declarations(std::string_view text);
 
-// The rules of a style sheet. Selectors are one element with any of its name, id and classes ("path", ".cut", "#rim",
-// "line.m.thick", "*"); of one inside others ("g .cut") the last counts; those with anything else are left out.
+// What selectors ask about an element.
+struct SvgElement {
+  std::string_view name, id, classes;
+};
+
+// The rules of a style sheet. Selectors are elements with any of name, id and classes ("path", ".cut", "#rim",
+// "line.m.thick", "*"), each inside the one before ("g.v line") or right inside it ("#rim > line"). A rule with
+// anything else (":hover", "[x]", "+", "~", "@media") colours nothing, as nobody knows what it would colour: it is left
+// out.
 class SvgRules {
  public:
   void add(std::string_view text);
-  // What the rules say about an element, from the general to the special, the later above the earlier.
-  SvgStyle style_of(std::string_view element, std::string_view id, std::string_view classes) const;
+  bool empty() const { return rules_.empty(); }
+  int num_left_out() const { return left_out_; }
+  // What the rules say about the first of `chain`, an element and those around it, the nearest first: from the general
+  // to the special, the later above the earlier. O(rules * elements).
+  SvgStyle style_of(const std::vector<SvgElement>& chain) const;
 
  private:
-  struct Rule {
+  struct Compound {
     std::string element, id;  // empty: any
     std::vector<std::string> classes;
-    SvgStyle style;
-    int weight() const { return 10000 * !id.empty() + 100 * static_cast<int>(classes.size()) + !element.empty(); }
+    bool child = false;  // stands right inside the next one
+    bool fits(const SvgElement& element) const;
   };
+  struct Rule {
+    std::vector<Compound> compounds;  // the innermost first
+    SvgStyle style;
+    int weight() const;
+    bool fits(const std::vector<SvgElement>& chain) const;
+  };
+  static std::optional<Compound> compound(std::string_view word);
   void add_rule(std::string_view selector, const SvgStyle& style);
   std::vector<Rule> rules_;
+  int left_out_ = 0;
 };
 
 struct SvgColor {

@@ -217,7 +217,7 @@ TEST(Fold, BadFilesAreNamedByCode) {
   EXPECT_EQ(code_of(std::string(200, '[') + std::string(200, ']')), "fold/depth");
   EXPECT_EQ(code_of("{\"file_spec\": 2}"), "fold/version");
   EXPECT_EQ(code_of("{}"), "fold/no-sheet");
-  EXPECT_EQ(code_of(R"({"vertices_coords":[[0,0,0],[1,0,0],[1,1,1]]})"), "fold/no-sheet");
+  EXPECT_EQ(code_of(R"({"vertices_coords":[[0,0,0],[1,0,0],[1,1,1],[0,1,0]]})"), "fold/no-sheet");
   EXPECT_EQ(code_of(fmt::format("{{{}}}", kSquare)), "fold/no-faces");
   EXPECT_EQ(square_code(R"(,"edges_assignment":["B"])"), "fold/length");
   EXPECT_EQ(square_code(R"(,"edges_assignment":["B","B","B","B","X"])"), "fold/assignment");
@@ -276,6 +276,29 @@ TEST(ReadFold, AFlatFrameIsTheSheetWhateverItIsCalledAndInAnyPlane) {
   const FoldFile upright = read_fold(folded_square("foldedForm", {"[3,0,0]", "[3,2,0]", "[3,2,1]", "[3,0,1]"}));
   EXPECT_EQ(upright.net.sheet.vertices, called.net.sheet.vertices);
   EXPECT_EQ(upright.notes.size(), 2U);
+}
+
+// The plane is spanned by (3, 0, 4) / 5 and (0, 1, 0), so its front is seen from (-4, 0, 3): from -x, which is turned
+// to +x, and y goes to the right.
+TEST(ReadFold, ATiltedSheetKeepsItsShapeAndItsFront) {
+  const auto file = [](double off) {
+    return read_fold(fmt::format(
+        R"({{"vertices_coords":[[1,2,3],[4,2,{}],[4,7,7],[1,7,3]],{},"edges_assignment":["B","B","B","B","M"]}})",
+        7 + off, kDiagonal));
+  };
+  const FoldFile tilted = file(0), rounded = file(1e-5);
+  for (const FoldFile& f : {tilted, rounded}) {
+    EXPECT_THAT(f.notes, ElementsAre("the sheet lies in a tilted plane and was laid into that of x and y"));
+    EXPECT_EQ(f.net.sheet.num_faces(), 2);
+    const std::vector<Vec2>& at = f.net.sheet.vertices;
+    for (int i = 0; i < 4; ++i) EXPECT_NEAR((at[i] - at[(i + 1) % 4]).norm(), 5, 1e-4);
+    EXPECT_NEAR(at[3].x() - at[0].x(), 5, 1e-4) << "y goes to the right";
+    EXPECT_NEAR(at[1].y() - at[0].y(), 5, 1e-4) << "seen from +x, z goes up";
+  }
+  EXPECT_EQ(
+      code_of(R"({"vertices_coords":[[1,2,3],[4,2,7],[4,7,7.1],[1,7,3]],"edges_vertices":[[0,1],[1,2],[2,3],[3,0]]})"),
+      "fold/no-sheet")
+      << "not flat";
 }
 
 TEST(ReadFold, AFormThatIsFoldedFlatIsNoSheet) {

@@ -261,13 +261,44 @@ TEST(PatternFile, SvgCurvesBecomeCreasesAndTheNoteSaysHowMany) {
 
 TEST(PatternFile, SvgElementsAreDrawnWhereTheyAreUsed) {
   const std::string text = svg(kFrame + std::string(R"svg(<style>@import "a.css"; #cut line, .x { stroke : lime }
-g > .x.m { stroke: red !important } .m { stroke: yellow }</style>
+defs > .x.m { stroke: red !important } .m { stroke: yellow }</style>
 <defs><line id="fold" class="m x" x2="100"/></defs><symbol id="cut"><path d="M0 0H100" stroke="blue"/></symbol>
 <g><use href="#fold" y="25"/><use xlink:href="#fold" transform="translate(0 50)"/></g><use href="#cut" y="75"/>)svg"));
   const CreasePattern sheet = read_svg_pattern(text).sheet;
   EXPECT_EQ(sheet.num_faces(), 4);
   EXPECT_EQ(count(sheet, Assignment::Mountain), 2);
   EXPECT_EQ(count(sheet, Assignment::Valley), 1);
+}
+
+// The letters that a line gets which stands in <g class="v" id="rim"><g class="inner">, one a rule.
+TEST(PatternFile, SvgSelectorsColourOnlyWhatStandsWhereTheySay) {
+  const auto letter = [](const std::string& rules) {
+    const std::string text =
+        svg(kFrame + ("<style>" + rules + "</style><g class='v' id='rim'><g class='inner'>" +
+                      "<line class='a b' x1='0' y1='30' x2='100' y2='30' stroke='#ff0'/></g></g>"));
+    const CreasePattern sheet = read_svg_pattern(text).sheet;
+    for (const Crease& e : sheet.edges)
+      if (e.assignment != Assignment::Boundary) return static_cast<char>(e.assignment);
+    return '-';
+  };
+  for (const char* fits : {"line", "*", ".v line", "g line", "g.v line.a", "#rim .b", ".inner > line", "g>g>line",
+                           ".v > .inner > .a.b", "svg .v line", "path, .v .a", ".x, g line", "/* .m */ svg>g line"})
+    EXPECT_EQ(letter(fits + std::string("{stroke:red}")), 'M') << fits;
+  for (const char* not_here :
+       {"path",          ".m line",    ".v > line",           "svg > line", "line .v",    "#cut line", ".inner .v line",
+        "g > .v > line", "line:hover", ".v line:first-child", "[x1]",       "g + g line", "g ~ line",  "line::before",
+        "> line",        "g >",        "g > > line",          ".",          "#",          "a|line",    "*line"})
+    EXPECT_EQ(letter(not_here + std::string("{stroke:red}")), 'F') << not_here;
+  EXPECT_EQ(letter("@media print { line { stroke: red } .v line { stroke: red } }"), 'F');
+  EXPECT_EQ(letter("@media print { line { stroke: red } } line { stroke: blue }"), 'V');
+  EXPECT_EQ(letter("@font-face { font-family: x } line { stroke: blue }"), 'V');
+  EXPECT_EQ(letter(".v line { stroke: blue } line { stroke: red }"), 'V') << "the special one is above the general";
+  EXPECT_EQ(letter("line { stroke: blue"), 'V') << "a block that is not closed ends with the sheet";
+}
+
+TEST(PatternFile, SvgRulesThatAreLeftOutAreTold) {
+  const std::string text = svg(kFrame + std::string("<style>line:hover, .x + .y { stroke: red }</style>"));
+  EXPECT_THAT(read_svg_pattern(text).notes, Contains(HasSubstr("2 rules of the style sheet were left out")));
 }
 
 TEST(PatternFile, WrongNamesGetAHint) {
