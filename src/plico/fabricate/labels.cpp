@@ -111,7 +111,20 @@ class Labeller {
     if (!part.title.empty() && write_large(part, panels, fmt::format("{} {}{}", part.name, part.title, step))) return;
     if (!part.title.empty() && write_large(part, panels, fmt::format("{} {}", part.name, part.title))) return;
     if (!step.empty() && write_large(part, panels, part.name + step)) return;
-    write_large(part, panels, part.name);
+    if (!write_large(part, panels, part.name)) name_beside(part);
+  }
+
+  // Small parts have no panel with room for their letter: it goes beside them, along the longest side that has room.
+  void name_beside(PlacedPart& part) {
+    if (part.outlines.empty()) return;
+    const std::vector<Vec2>& outline = part.outlines.front();
+    std::vector<std::pair<Vec2, Vec2>> sides;
+    for (std::size_t i = 0; i < outline.size(); ++i) sides.emplace_back(outline[i], outline[(i + 1) % outline.size()]);
+    std::ranges::stable_sort(sides, std::greater<>(),
+                             [](const auto& side) { return (side.second - side.first).norm(); });
+    for (double pt : {12.0, 9.0})
+      for (const auto& [a, b] : sides)
+        if (write_beside(part, a, b, part.name, pt * kMillimetresPerPoint)) return;
   }
 
   bool write_large(PlacedPart& part, const std::vector<const PlacedPanel*>& panels, const std::string& text) {
@@ -161,10 +174,14 @@ class Labeller {
 
   // On free paper beyond the edge, upright, joined to the middle of the edge (or of its tab's tip) by a line.
   void lead_out(PlacedPart& part, const PlacedPanel& panel, int side) {
-    const std::string& text = seam_name_[panel.edges[side]];
     const Vec2 &a = panel.corners[side], &b = panel.corners[(side + 1) % panel.corners.size()];
-    const Vec2 out = -perpendicular((b - a).normalized());
     const double size = std::max(options_.smallest_pt, std::min(options_.size_pt, 5.5)) * kMillimetresPerPoint;
+    ++(write_beside(part, a, b, seam_name_[panel.edges[side]], size) ? report_.leaders : report_.omitted);
+  }
+
+  // Beside the side from a to b of a part on its left.
+  bool write_beside(PlacedPart& part, const Vec2& a, const Vec2& b, const std::string& text, double size) {
+    const Vec2 out = -perpendicular((b - a).normalized());
     const Vec2 room = room_for(text, size);
     const Vec2 start = (a + b) / 2 + 0.4 * out;
     for (double distance : {2.0, 3.5, 5.0, 7.0}) {
@@ -177,11 +194,10 @@ class Labeller {
         written_.add({box.begin(), box.end()}, part.page);
         written_.add({line.begin(), line.end()}, part.page);
         part.labels.push_back({text, center, 0, size, {start - 0.4 * out, end}});
-        ++report_.leaders;
-        return;
+        return true;
       }
     }
-    ++report_.omitted;
+    return false;
   }
 
   static Box thin(const Vec2& a, const Vec2& b) {
