@@ -66,7 +66,20 @@ TEST(StackOracles, TheCubeNeedsTheLayersThatExhaustionFound) {
 TEST(StackOracles, TheDominoNeedsTheLayersThatExhaustionFound) {
   const std::set<Headings> strips = all_strips(shell_of(voxels({{0, 0, 0}, {1, 0, 0}})));
   EXPECT_EQ(strips.size(), 152u);
-  for (const Base& b : {Base{1, 3, 4}, {2, 2, 3}, {2, 5, 2}, {2, 8, 1}, {3, 6, 1}})
+  for (const Base& b : {Base{1, 1, 10},
+                        {1, 2, 5},
+                        {1, 3, 4},
+                        {1, 4, 3},
+                        {1, 5, 2},
+                        {2, 2, 3},
+                        {2, 3, 2},
+                        {2, 4, 2},
+                        {2, 5, 2},
+                        {2, 8, 1},
+                        {3, 3, 2},
+                        {3, 4, 2},
+                        {3, 6, 1},
+                        {4, 4, 1}})
     EXPECT_EQ(least_of_all(strips, b.width, b.depth), b.layers) << b.width << "x" << b.depth;
 }
 
