@@ -1,5 +1,5 @@
-// What can go wrong on the page: files that are none, memory that runs out, jobs that are stopped. Each is told with a code,
-// and the page and its document stay.
+// Everything that can go wrong on the page: files that are none, browsers that lack something, memory that runs out, jobs
+// that are stopped and tabs that die. Each is told with a code, and the page and its document stay.
 // usage: node trouble.mjs PAGE.html MESH.obj
 import assert from 'node:assert/strict';
 import { mkdtempSync, readFileSync, rmSync, truncateSync, writeFileSync } from 'node:fs';
@@ -147,6 +147,47 @@ async function longWorkIsStoppedByItsButton(page) {
   assert.equal(await projectText(page), before);
 }
 
+async function aDeadTabLosesAtMostASecond(context, page) {
+  const edges = await page.evaluate(() => [...Array(window.studio.session.shape.model.edges).keys()].filter((e) => !window.studio.session.shape.isBorder(e)));
+  for (const edge of edges.slice(0, 5))
+    await page.evaluate(async (e) => {
+      const { session } = window.studio, edit = await session.editFor(e);
+      if (edit) await session.edit('test', edit);
+    }, edge);
+  const before = await projectText(page);
+  await page.waitForTimeout(1000);
+  const crash = await context.newCDPSession(page);
+  const died = page.waitForEvent('crash');
+  crash.send('Page.crash').catch(() => undefined);
+  await died;
+  const next = await context.newPage();
+  const complaints = complaintsOf(next);
+  await openStudio(next, url);
+  await next.click('#continue');
+  await until(next, async (text) => {
+    const { session } = window.studio;
+    return session.shape && new TextDecoder().decode(await session.project()) === text; // edits are done again one by one
+  }, before);
+  assert.deepEqual(complaints, []);
+  return next;
+}
+
+async function editsThatNoLongerFitAreTold(context, page) {
+  await page.waitForTimeout(1000); // until what was done again is kept
+  await page.evaluate(() => new Promise((done) => {
+    const opening = indexedDB.open('plico-studio', 1);
+    opening.onsuccess = () => {
+      const writing = opening.result.transaction('projects', 'readwrite'), store = writing.objectStore('projects');
+      store.get('current').onsuccess = ({ target }) => store.put({ id: target.result.id, edits: [{ edit: 'join', edge: 123456 }] }, 'edits');
+      writing.oncomplete = done;
+    };
+  }));
+  const next = await context.newPage();
+  await openStudio(next, url);
+  await isRefused(next, 'edits that no longer fit', () => next.click('#continue'));
+  assert.match(await next.textContent('#verdict'), /verified|parts/);
+}
+
 async function withPage(change, use, at = url) {
   const context = await browser.newContext({ viewport: { width: 1000, height: 700 } });
   const page = await context.newPage();
@@ -158,8 +199,34 @@ async function withPage(change, use, at = url) {
   return complaints;
 }
 
+async function aPageWithoutStorageWorks() {
+  const changes = {
+    'no IndexedDB': () => Object.defineProperty(window, 'indexedDB', { value: undefined }),
+    'IndexedDB refused': () => (IDBFactory.prototype.open = () => { throw new DOMException('private', 'SecurityError'); }),
+    'storage full': () => (IDBObjectStore.prototype.put = () => { throw new DOMException('full', 'QuotaExceededError'); }),
+  };
+  for (const [name, change] of Object.entries(changes)) {
+    const complaints = await withPage(change, async (page) => {
+      await drop(page, 'bird.obj', mesh);
+      await page.waitForSelector('#verdict[data-status=good]');
+      await page.waitForSelector('#unkept:not([hidden])');
+      console.log(`${name}: ${await page.textContent('#unkept')}`);
+    });
+    assert.deepEqual(complaints, [], name);
+  }
+}
+
+async function aPageThatMayNotRunWebAssemblySaysSo() {
+  const path = join(folder, 'refused.html');
+  writeFileSync(path, readFileSync(pagePath, 'utf8').replace("'wasm-unsafe-eval' ", ''));
+  await withPage(undefined, async (page) => {
+    await isRefused(page, 'wasm refused', () => drop(page, 'bird.obj', mesh));
+    assert.match(await status(page), /studio\/no-webassembly/);
+  }, pathToFileURL(path).href);
+}
+
 try {
-  const complaints = await withPage(undefined, async (page) => {
+  const complaints = await withPage(undefined, async (page, context) => {
     await drop(page, 'bird.obj', mesh);
     await page.waitForSelector('#verdict[data-status=good]');
     await badFilesAreTold(page);
@@ -169,8 +236,12 @@ try {
     await aWorkerWithoutMemoryIsReplaced(page);
     await anyJobStopsAtOnce(page);
     await longWorkIsStoppedByItsButton(page);
+    const next = await aDeadTabLosesAtMostASecond(context, page);
+    await editsThatNoLongerFitAreTold(context, next);
   });
   assert.deepEqual(complaints, []);
+  await aPageWithoutStorageWorks();
+  await aPageThatMayNotRunWebAssemblySaysSo();
 } finally {
   await browser.close();
   rmSync(folder, { recursive: true });
