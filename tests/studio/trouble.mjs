@@ -13,7 +13,7 @@ const url = pathToFileURL(pagePath).href;
 const mesh = readFileSync(meshPath, 'utf8');
 const folder = mkdtempSync(join(tmpdir(), 'studio-'));
 const kAtOnce = 1000; // milliseconds, on a machine with other work; the bar of 200 is kept by bench/studio
-const browser = await startBrowser();
+let browser = await startBrowser();
 
 const kCube = [...Array(8).keys()].map((i) => `v ${i & 1} ${(i >> 1) & 1} ${i >> 2}\n`).join('') + 'f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 2 4 8 6\nf 4 3 7 8\nf 3 1 5 7\n';
 
@@ -225,6 +225,17 @@ async function aPageThatMayNotRunWebAssemblySaysSo() {
   }, pathToFileURL(path).href);
 }
 
+async function aPageWithoutWebGlWorks() {
+  await browser.close();
+  browser = await startBrowser(['--disable-gpu', '--disable-software-rasterizer']);
+  const complaints = await withPage(undefined, async (page) => {
+    await drop(page, 'bird.obj', mesh);
+    await page.waitForSelector('#verdict[data-status=good]');
+    await page.waitForSelector('#no-space:not([hidden])');
+  });
+  assert.deepEqual(complaints, []);
+}
+
 try {
   const complaints = await withPage(undefined, async (page, context) => {
     await drop(page, 'bird.obj', mesh);
@@ -242,6 +253,7 @@ try {
   assert.deepEqual(complaints, []);
   await aPageWithoutStorageWorks();
   await aPageThatMayNotRunWebAssemblySaysSo();
+  await aPageWithoutWebGlWorks();
 } finally {
   await browser.close();
   rmSync(folder, { recursive: true });
