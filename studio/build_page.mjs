@@ -48,6 +48,7 @@ const parts = {
   PACKED: String(packed.length),
   BYTES: String(wasm.length),
   WORKER: bundle('core/worker.ts', 'iife'),
+  PAINTER: bundle('views/painter_worker.ts', 'iife'),
   FILE: 'null',
   SCRIPT: script,
 };

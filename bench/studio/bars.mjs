@@ -14,7 +14,7 @@ const kLarge = 5000; // faces
 // Bars by what is measured and by size class; milliseconds.
 const kBars = {
   'open, ready to drop': [500, 500, 500, 500], 'drop, net drawn': [100, 120, 200, 4000], 'net and proven linear motion, cold': [200, 500, null, null],
-  'click, judged and drawn': [16, 16, 16, 60], 'slider frame': [16, 16, 16, 33], undo: [16, 16, 16, 60], 'main thread blocked at most': [50, 50, 50, 50],
+  'click, judged and drawn': [16, 16, 16, 60], 'slider frame': [16, 16, 16, 33], undo: [16, 16, 16, 60], 'a search, stopped': [200, 200, 200, 200], 'main thread blocked at most': [50, 50, 50, 50],
 };
 const classOf = (faces) => (faces <= 200 ? 0 : faces <= 700 ? 1 : faces <= kLarge ? 2 : 3);
 const median = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)];
@@ -87,6 +87,13 @@ async function timesOf(mesh) {
     times['slider frame'] = await several(count, (i) => session.fold(i / count));
     await drawn();
     times['main thread blocked at most'] = window.longest;
+    times['a search, stopped'] = await time(async () => {
+      const ended = session.search(true, () => undefined).catch(() => undefined);
+      while (!session.busy) await undefined;
+      session.stop();
+      await ended;
+    });
+    await session.project(); // a new worker stands where the old one did
     if (faces < 700)
       times['net and proven linear motion, cold'] = await time(async () => {
         await session.edit('bench', await session.search(true, () => undefined));

@@ -13,6 +13,7 @@ import type { Shape } from './views/shape';
 
 type Tab = 'net' | 'fold' | 'pages' | 'jobs';
 const kTabs: Tab[] = ['net', 'fold', 'pages', 'jobs'];
+const kLargestFile = 80_000_000; // bytes: no kind of file holds 5 million faces in less
 const kSamples = ['bird', 'dinosaur', 'fish', 'dog', 'torus', 'truncated-icosahedron'];
 
 declare global {
@@ -38,12 +39,11 @@ class Studio {
       (fine) => (byId('unkept').hidden = fine));
     const point = (edge: number): void => void this.point(edge);
     const click = (edge: number, event: PointerEvent): void => void this.act(edge, event.shiftKey);
-    this.space = new SpaceView(byId('space'), colors.space, point, click);
+    this.space = new SpaceView(byId('space'), byId('painter').textContent!, colors.space, point, click, (works) => (byId('no-space').hidden = works));
     this.sheet = new SheetView(byId('sheet'), colors.sheet, point, click);
     this.foldPanel = new FoldPanel(this.session, this.space, (work) => this.guarded(work), (p) => this.progress(p));
     this.pagesPanel = new PagesPanel(this.session, (work) => this.guarded(work));
     this.jobsPanel = new JobsPanel(this.session, (work) => this.guarded(work), (p) => this.progress(p), (name, bytes) => this.openMade(name, bytes));
-    byId('no-space').hidden = this.space.works;
     this.listen();
   }
 
@@ -85,8 +85,13 @@ class Studio {
   }
   private async openFile(file: File | undefined): Promise<void> {
     if (!file) return;
-    if (file.size > 500_000_000) return this.say(`${file.name} has ${file.size} bytes, at most 500,000,000 fit into a page · try: plico craft on a computer`, 'bad');
-    await this.open(file.name, new Uint8Array(await file.arrayBuffer()));
+    await this.guarded(async () => {
+      const { name, size } = file;
+      this.say(`opening ${name} …`);
+      if (size > kLargestFile)
+        throw new Refused({ code: 'studio/file-too-large', message: `a file of ${size} bytes, where ${kLargestFile} fit`, where: name, suggestion: 'plico craft, on the command line' });
+      await this.session.open(name, new Uint8Array(await file.arrayBuffer()), (p) => this.progress(p));
+    });
   }
   private async openMade(name: string, bytes: Uint8Array): Promise<void> {
     const before = this.session.shape;

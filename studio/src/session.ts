@@ -1,5 +1,5 @@
 // The document on the page: the model in the worker, what was done to it, and its copy in the browser's storage.
-import { type Core, Stopped } from './core/client';
+import type { Core } from './core/client';
 import type { Edit, JobDescription, JobResult, JobValues, Model, Progress, Snapshot } from './core/protocol';
 import { History } from './history';
 import { keepEdits, keepProject, type Kept } from './store';
@@ -13,6 +13,7 @@ export class Session {
   shape?: Shape;
   busy = false; // with something long that can be stopped
   private saved?: Kept & { edits: Edit[] }; // what a fresh worker needs to stand where we are
+  private restoring = false; // a worker that ends at this is not given it again
   private timer = 0;
   private writing: Promise<unknown> = Promise.resolve();
   private queue: Promise<unknown> = Promise.resolve();
@@ -21,7 +22,9 @@ export class Session {
     private readonly core: Core, private readonly onModel: (shape: Shape, notes: string[]) => void,
     private readonly onEdit: (shape: Shape, moved: boolean) => void, // moved: all parts lie anew
     private readonly onKept: (fine: boolean) => void,
-  ) {}
+  ) {
+    core.onRestart = () => void this.inOrder(() => this.restore()); // whoever stopped it need not wait for that
+  }
 
   /** One thing after the other: an edit never overtakes another. */
   private inOrder<T>(work: () => Promise<T>): Promise<T> {
@@ -31,7 +34,7 @@ export class Session {
   }
 
   open(name: string, bytes: Uint8Array, progress?: (p: Progress) => void): Promise<void> {
-    return this.inOrder(async () => {
+    return this.long(async () => {
       const { model, snapshot } = await this.core.call('open', [name, bytes], progress);
       this.history.clear();
       this.begin(model, snapshot);
@@ -114,9 +117,6 @@ export class Session {
       this.busy = true;
       try {
         return await work();
-      } catch (error) {
-        if (error instanceof Stopped) void this.inOrder(() => this.restore()); // whoever stopped it need not wait for that
-        throw error;
       } finally {
         this.busy = false;
       }
@@ -126,8 +126,15 @@ export class Session {
     if (this.busy) this.core.restart();
   }
   private async restore(): Promise<void> {
-    if (!this.saved) return;
-    const { project, edits } = this.saved;
+    if (!this.saved || this.restoring) return;
+    this.restoring = true;
+    try {
+      await this.replay(this.saved);
+    } finally {
+      this.restoring = false;
+    }
+  }
+  private async replay({ project, edits }: { project: Uint8Array; edits: Edit[] }): Promise<void> {
     let { snapshot } = await this.core.call('open', ['project.plico', project]);
     for (const edit of edits) ({ snapshot } = await this.core.call('apply', [edit]));
     this.shape!.take(snapshot);

@@ -5,14 +5,11 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import axe from 'axe-core';
-import { chromium } from 'playwright-core';
+import { complaintsOf, drop, openStudio, projectText, startBrowser, status, until } from './browser.mjs';
 
 const [pagePath, meshPath] = process.argv.slice(2);
-const browser = await chromium.launch({
-  executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
-  args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-quic', '--no-first-run',
-    '--disable-background-networking', '--disable-component-update', '--disable-sync'],
-});
+const browser = await startBrowser();
+
 async function picture(page, name) {
   if (!process.env.PICTURES) return;
   await page.waitForTimeout(300);
@@ -24,19 +21,6 @@ async function accessible(page, name) {
   const { violations } = await page.evaluate(() => window.axe.run(document, { resultTypes: ['violations'] }));
   const serious = violations.filter((v) => ['serious', 'critical'].includes(v.impact));
   assert.deepEqual(serious.map((v) => `${v.id}: ${v.nodes.map((n) => n.html).join(' ')}`), [], name);
-}
-
-// page.waitForFunction() needs eval, which the page forbids.
-async function until(page, holds) {
-  for (const end = Date.now() + 60000; Date.now() < end; await page.waitForTimeout(50)) if (await page.evaluate(holds)) return;
-  assert.fail(`never came: ${holds}; the page says: ${await status(page)}`);
-}
-
-const status = (page) => page.textContent('#status');
-const projectText = (page) => page.evaluate(async () => new TextDecoder().decode(await window.studio.session.project()));
-
-async function drop(page, name, bytes) {
-  await page.setInputFiles('#file', { name, mimeType: 'application/octet-stream', buffer: Buffer.from(bytes) });
 }
 
 async function aFileBecomesANet(page) {
@@ -91,20 +75,6 @@ async function keysAreEnough(page) {
   await page.keyboard.press('Control+z');
   await until(page, () => /undone/.test(document.getElementById('status').textContent));
   assert.equal(await projectText(page), first);
-}
-
-async function badFilesAreTold(page) {
-  const bad = {
-    'empty.obj': '', 'words.obj': 'v 0 0 nan\nf 1 1 1\n', 'range.obj': 'v 0 0 0\nf 1 2 3\n', 'x.plico': '{"plico_project": 9}',
-    'broken.plico': '{', 'none.fold': '{"file_spec": 1.2}', 'none.xyz': 'hello',
-  };
-  for (const [name, text] of Object.entries(bad)) {
-    await page.evaluate(() => (document.getElementById('status').textContent = ''));
-    await drop(page, name, text);
-    await until(page, () => document.getElementById('status').dataset.kind === 'bad' && /\(.*\)/.test(document.getElementById('status').textContent));
-    console.log(`${name}: ${await status(page)}`);
-  }
-  assert.equal(await page.textContent('#name'), 'bird');
 }
 
 async function theModelFolds(page) {
@@ -167,17 +137,13 @@ const complaints = [];
 try {
   const context = await browser.newContext({ viewport: { width: 1280, height: 820 }, reducedMotion: 'reduce' });
   const page = await context.newPage();
-  page.on('console', (m) => ['error', 'warning'].includes(m.type()) && !/GPU stall|GL Driver/.test(m.text()) && complaints.push(m.text()));
-  page.on('pageerror', (error) => complaints.push(String(error)));
-  page.on('request', (request) => /^(https?|wss?):/.test(request.url()) && complaints.push(`network: ${request.url()}`));
-  await page.goto(pathToFileURL(pagePath).href);
-  await page.waitForSelector('html[data-ready=true]');
+  complaintsOf(page, complaints);
+  await openStudio(page, pathToFileURL(pagePath).href);
   await accessible(page, 'start');
   await picture(page, 'start');
   await aFileBecomesANet(page);
   await editsAreUndoneAndDoneAgain(page);
   await keysAreEnough(page);
-  await badFilesAreTold(page);
   await theModelFolds(page);
   await thePagesAreDrawn(page);
   await theToolsDoTheirJobs(page);

@@ -77,8 +77,8 @@ export class GlMesh {
   private readonly places = new Map<string, WebGLUniformLocation | null>();
 
   /** Nothing where there is no WebGL 2. */
-  static on(canvas: HTMLCanvasElement): GlMesh | undefined {
-    const gl = canvas.getContext('webgl2', { antialias: true, alpha: true });
+  static on(canvas: HTMLCanvasElement | OffscreenCanvas): GlMesh | undefined {
+    const gl = canvas.getContext('webgl2', { antialias: true, alpha: true }) as WebGL2RenderingContext | null;
     return gl ? new GlMesh(gl) : undefined;
   }
   private constructor(private readonly gl: WebGL2RenderingContext) {
@@ -103,7 +103,8 @@ export class GlMesh {
   }
 
   draw(width: number, height: number, camera: Camera, paint: Paint, lines: Lines[]): void {
-    const { gl, faces, edges } = this;
+    const { gl, faces, edges } = this, { canvas } = gl;
+    if (canvas.width !== width || canvas.height !== height) canvas.width = width, canvas.height = height;
     gl.viewport(0, 0, width, height);
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);

@@ -19,6 +19,7 @@ export class Core {
   private waiting = new Map<number, Waiting>();
   private lastId = 0;
   private broken?: Failure; // why the worker did not start
+  onRestart = (): void => undefined;
 
   constructor(private readonly script: string, private module: PackedModule | ArrayBuffer) {
     this.start();
@@ -37,11 +38,15 @@ export class Core {
 
   /** Ends whatever runs: calls without an answer are Stopped, and the next worker knows no model. */
   restart(): void {
+    this.replace(new Stopped());
+  }
+  private replace(reason: Error): void {
     this.worker.terminate();
     const left = [...this.waiting.values()];
     this.waiting.clear();
     this.start();
-    for (const { reject } of left) reject(new Stopped());
+    this.onRestart();
+    for (const { reject } of left) reject(reason);
   }
 
   private start(): void {
@@ -60,6 +65,7 @@ export class Core {
     const caller = this.waiting.get(reply.id);
     if (!caller) return;
     if ('progress' in reply) return caller.progress?.(reply.progress);
+    if ('failure' in reply && reply.ended) return this.replace(new Refused(reply.failure));
     this.waiting.delete(reply.id);
     if ('failure' in reply) caller.reject(new Refused(reply.failure));
     else caller.resolve(reply.result);

@@ -1,4 +1,7 @@
 // What the page and its worker say to each other. Arrays are per corner: all corners of face 0, then of face 1, ...
+import type { JobDescription, JobOption } from '../../package/index';
+
+export type { JobDescription, JobOption };
 
 export type Edit =
   | { edit: 'cut' | 'join'; edge: number }
@@ -61,25 +64,6 @@ export interface JobResult {
 
 export type JobValues = [string, string][];
 
-/** An option of a job, as describe_jobs() of the core tells it. */
-export interface JobOption {
-  name: string;
-  value: string; // what stands for the value: "FILE", "N"; empty for a flag
-  unit: string;
-  default: string;
-  choices: string[];
-  help: string;
-  positional: boolean;
-  required: boolean;
-  repeatable: boolean;
-}
-export interface JobDescription {
-  name: string;
-  summary: string;
-  examples: [string, string][];
-  options: JobOption[];
-}
-
 export interface Calls {
   open(name: string, bytes: Uint8Array): { model: Model; snapshot: Snapshot };
   editFor(edge: number): Edit | null;
@@ -101,6 +85,7 @@ export interface Failure {
   message: string;
   where: string;
   suggestion: string;
+  exit_code?: number;
 }
 
 export interface Progress {
@@ -121,4 +106,5 @@ export type Begin = { begin: PackedModule | ArrayBuffer };
 export type Unpacked = { module: ArrayBuffer };
 
 export type Request = { id: number; call: keyof Calls; args: unknown[] };
-export type Reply = { id: number } & ({ result: unknown } | { failure: Failure } | { progress: Progress });
+/** `ended`: this worker can do no more. */
+export type Reply = { id: number } & ({ result: unknown } | { failure: Failure; ended: boolean } | { progress: Progress });

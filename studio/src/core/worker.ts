@@ -75,10 +75,22 @@ function start(plico: any, report: (phase: string, done: number, total: number, 
   });
 }
 
-function failureOf(error: unknown): Failure {
+// Memory that was taken is never given back, and a module that trapped is in no known state: both end this worker.
+const kOutOfMemory = 71; // an exit code
+function failureOf(error: unknown): { failure: Failure; ended: boolean } {
   const known = (error as { failure?: Failure }).failure;
-  return known ?? { code: 'internal', message: `the core stopped: ${String(error)}`, where: '', suggestion: 'reload the page' };
+  if (known && known.exit_code !== kOutOfMemory) return { failure: known, ended: false };
+  // Where files cross, nothing of C++ throws but for want of memory; all else comes back as a value.
+  const isOfCpp = error instanceof (WebAssembly as unknown as { Exception: new () => object }).Exception;
+  const hadNoMemory = known || error instanceof RangeError || isOfCpp;
+  const failure = hadNoMemory
+    ? { code: 'studio/out-of-memory', message: 'this takes more memory than a page has', where: '', suggestion: 'fewer faces (plico simplify), or the command line' }
+    : { code: 'studio/core-stopped', message: `the core stopped, your document is kept: ${String(error)}`, where: '', suggestion: 'something else' };
+  return { failure, ended: true };
 }
+const notStarted = (error: unknown): Error => refused({
+  code: 'studio/no-webassembly', message: `the core did not start: ${String(error)}`, where: '', suggestion: 'a browser that runs WebAssembly',
+});
 
 /** Arrays that go over to the page instead of being copied: each is made for its answer. */
 function arraysIn(value: unknown, found = new Set<ArrayBuffer>()): ArrayBuffer[] {
@@ -134,11 +146,11 @@ addEventListener('message', async (event: MessageEvent<Request | Begin>) => {
   }
   const { id, call, args } = event.data;
   try {
-    const all = await calls;
+    const all = await calls.catch((error) => Promise.reject(notStarted(error)));
     current = id;
     const result = (all[call] as (...args: unknown[]) => unknown)(...args);
     postMessage({ id, result } satisfies Reply, { transfer: arraysIn(result) });
   } catch (error) {
-    postMessage({ id, failure: failureOf(error) } satisfies Reply);
+    postMessage({ id, ...failureOf(error) } satisfies Reply);
   }
 });

@@ -1,6 +1,6 @@
 // A model in space, drawn with WebGL 2: the mesh as it is, or its panels on the way from flat to folded.
-import { GlMesh } from '../../../viewer/src/gl_mesh';
 import { onceAFrame } from './frames';
+import { painterOn, type MeshPainter } from './painter';
 import { listen } from './pointers';
 import type { Shape } from './shape';
 
@@ -17,7 +17,7 @@ const dot = (a: Vec, b: Vec): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const cross = (a: Vec, b: Vec): Vec => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 
 export class SpaceView {
-  private readonly mesh?: GlMesh;
+  private readonly mesh?: MeshPainter;
   private shape?: Shape;
   private at: Float32Array = new Float32Array();
   private center: Vec = [0, 0, 0];
@@ -30,10 +30,11 @@ export class SpaceView {
   private edge = -1;
 
   constructor(
-    private readonly canvas: HTMLCanvasElement, private readonly colors: () => SpaceColors,
+    private readonly canvas: HTMLCanvasElement, painter: string, private readonly colors: () => SpaceColors,
     private readonly onPoint: (edge: number) => void, private readonly onClick: (edge: number, event: PointerEvent) => void,
+    onWorks: (works: boolean) => void,
   ) {
-    this.mesh = GlMesh.on(canvas);
+    this.mesh = painterOn(canvas, painter, onWorks);
     this.paint(64, 64); // the first picture takes 20 ms more than others
     new ResizeObserver(() => (this.chosen ? this.redraw() : this.frame(this.at))).observe(canvas);
     listen(canvas, {
@@ -45,10 +46,6 @@ export class SpaceView {
       drag: (dx, dy) => this.turn(dx / kPixelsPerRadian, dy / kPixelsPerRadian),
       zoom: (factor) => this.zoom(1 / factor),
     });
-  }
-
-  get works(): boolean {
-    return this.mesh !== undefined;
   }
 
   /** A new model, or the same after an edit; `at` are the places of its corners. */
@@ -152,7 +149,6 @@ export class SpaceView {
     const { canvas } = this;
     if (!this.mesh || !this.shape) return;
     const width = Math.round(canvas.clientWidth * devicePixelRatio), height = Math.round(canvas.clientHeight * devicePixelRatio);
-    if (canvas.width !== width || canvas.height !== height) canvas.width = width, canvas.height = height;
     this.paint(width, height);
   }
   private paint(width: number, height: number): void {
