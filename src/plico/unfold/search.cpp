@@ -36,8 +36,9 @@ constexpr int kWeightStep = 20;
 constexpr int kFewestSides = 8;
 // On large meshes a few big branches come to lie on each other, and small steps go round them for a long time. From
 // this many faces on every so many-th step tries to hang a branch of at least kBigBranch panels by one of kBigSides
-// sides; and what is gathered, kGatheredALook panels a look, counts as looked at.
-constexpr int kLargeMesh = 2000, kBigStepEvery = 5, kBigBranch = 64, kBigSides = 32, kGatheredALook = 8;
+// sides; the other steps do with a part of the effort, and of what is gathered kGatheredALook panels count as a look.
+constexpr int kLargeMesh = 2000, kBigStepEvery = 5, kBigBranch = 32, kBigSides = 16, kPartOfEffort = 4,
+              kGatheredALook = 8;
 
 // The search within one connected mesh.
 class Search {
@@ -49,7 +50,8 @@ class Search {
         rng_(rng),
         run_(run),
         tabu_until_(mesh_.num_edges(), -1),
-        large_(mesh_.num_faces() >= kLargeMesh) {}
+        large_(mesh_.num_faces() >= kLargeMesh),
+        effort_(large_ ? std::max(options.effort / kPartOfEffort, 1) : options.effort) {}
 
   Ending go(long& steps, long max_steps) {
     while (tree_.num_overlaps() > 0) {
@@ -80,17 +82,15 @@ class Search {
     Hanging best;
     long looked = 0;
     for (int panel : subtrees_between(a, b)) {
-      const long enough = best.panel < 0    ? kPatience * options_.effort
-                          : best.change < 0 ? options_.effort / 4
-                                            : options_.effort;
+      const long enough = best.panel < 0 ? kPatience * effort_ : best.change < 0 ? effort_ / 4 : effort_;
       if (looked > enough || try_hangings(panel, best, looked, kFewestSides)) break;
     }
     if (best.change == 0) tree_.aggravate(a, b, kWeightStep);
     if (best.panel >= 0) hang(best);
   }
 
-  // Cuts at one fold between the two panels that carries a big branch, any of them. False when no better place is
-  // found.
+  // Cuts at one fold between the two panels that carries a big branch, rather a smaller one of them. False when no
+  // better place is found.
   bool hang_big_branch(int a, int b) {
     const std::vector<int>& between = subtrees_between(a, b);
     const auto big =
@@ -98,7 +98,8 @@ class Search {
     if (big == between.end()) return false;
     Hanging best;
     long looked = 0;
-    try_hangings(big[rng_.below(static_cast<int>(between.end() - big))], best, looked, kBigSides);
+    const int at_most = rng_.below(static_cast<int>(between.end() - big));
+    try_hangings(big[rng_.below(at_most + 1)], best, looked, kBigSides);
     if (best.change < 0) hang(best);
     return best.change < 0;
   }
@@ -129,7 +130,7 @@ class Search {
     if (large_) looked += static_cast<long>(subtree.size()) / kGatheredALook;
     const int before = tree_.overlaps_with_rest();
     collect_sides(subtree, tree_.parent_side(panel));
-    choose_some(std::max(fewest_sides, options_.effort / static_cast<int>(subtree.size())));
+    choose_some(std::max(fewest_sides, effort_ / static_cast<int>(subtree.size())));
     for (int side : sides_) {
       if (before + best.change < 0) return false;
       const int limit = before + best.change + 1;
@@ -169,6 +170,7 @@ class Search {
   const Run& run_;
   std::vector<long> tabu_until_;  // by edge: the step from which it may become a fold again
   const bool large_;
+  const int effort_;  // panels looked at in a step
   std::vector<int> between_, sides_;
   long step_ = 0;
   int ties_ = 1;
