@@ -10,7 +10,8 @@
 namespace plico {
 namespace {
 
-constexpr double kMargin = 1e-6;  // of a voxel: sides of the surface's box lie inside the outermost voxels
+constexpr double kMaxCoordinate = 1e30;  // as for every mesh
+constexpr double kMargin = 1e-6;         // of a voxel: sides of the surface's box lie inside the outermost voxels
 constexpr int kBisections = 40;
 
 using Corners = std::array<Vec3, 3>;
@@ -79,9 +80,11 @@ class TriangleFiller {
 Eigen::AlignedBox3d box_of_corners(const PolygonSoup& soup) {
   Eigen::AlignedBox3d box;
   for (int v : soup.corners) {
-    if (!soup.points[v].allFinite())
-      throw InvalidInput("mesh/not-finite", "a coordinate is not a finite number", fmt::format("vertex {}", v),
-                         "plico check");
+    const Vec3& p = soup.points[v];
+    if (!p.allFinite() || p.cwiseAbs().maxCoeff() > kMaxCoordinate)
+      throw InvalidInput("mesh/not-finite",
+                         fmt::format("a coordinate is {} {} {}, must be finite and at most 1e30", p.x(), p.y(), p.z()),
+                         fmt::format("vertex {}", v), "plico check");
     box.extend(soup.points[v]);
   }
   return box;
@@ -94,7 +97,7 @@ Voxelization voxelize(const PolygonSoup& soup, double cells) {
   if (soup.num_faces() == 0) throw InvalidInput("mesh/empty", "there is no polygon to voxelize");
   const Eigen::AlignedBox3d box = box_of_corners(soup);
   const double longest = box.sizes().maxCoeff();
-  if (!(longest > 0)) throw InvalidInput("mesh/empty", "all polygons lie in one point");
+  if (!(longest > 0)) throw InvalidInput("mesh/empty", "all polygons lie in one point", {}, "plico check");
   Voxelization result;
   result.side = longest / cells * (1 + 2 * kMargin);
   std::array<int, 3> size{};

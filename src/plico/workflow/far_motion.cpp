@@ -196,15 +196,16 @@ void go_round(const Linkage& linkage, ApproachOptions approach, double clearance
   }
 }
 
+// A search that comes no farther than `least` is not worth its proof: then there is no motion.
 FarMotion go_on(const Linkage& linkage, const FoldingPath& begun, const MotionOptions& options, bool may_pull,
-                const Run& run) {
+                double least, const Run& run) {
   const double clearance = options.clearance > 0 ? options.clearance : default_clearance(linkage);
   ApproachOptions approach;
   approach.frames = options.waypoints;
   approach.collision.clearance = clearance;
   ContinuationResult found = search_far(linkage, begun, approach, may_pull, share_of_time(run, kSearchTime));
   FarMotion result;
-  if (found.path.waypoints.size() > 1) {
+  if (found.path.waypoints.size() > 1 && found.progress > least) {
     std::vector<PanelPair> met;
     result.motion = prove_as_far(linkage, found.path, MotionMethod::Continuation, clearance, run, &met);
     go_round(linkage, approach, clearance, run, met, found, result.motion);
@@ -222,8 +223,9 @@ FarMotion go_on(const Linkage& linkage, const FoldingPath& begun, const MotionOp
   return result;
 }
 
-FarMotion go_on_in(const Facets& facets, const CreasePattern& sheet, const MotionOptions& options, const Run& run) {
-  FarMotion result = go_on(make_linkage(facets.sheet), {}, options, true, run);
+FarMotion go_on_in(const Facets& facets, const CreasePattern& sheet, const MotionOptions& options, double least,
+                   const Run& run) {
+  FarMotion result = go_on(make_linkage(facets.sheet), {}, options, true, least, run);
   if (result.motion.path.waypoints.empty()) return result;
   result.bends = bends_of(facets, sheet.num_faces(), result.motion.path);
   result.notes.push_back(bends_note(result.bends));
@@ -239,13 +241,14 @@ FarMotion go_on_in_facets(const CreasePattern& sheet, const MotionOptions& optio
   const Facets shortest = cut_into_facets(sheet);
   const int creases = make_linkage(shortest.sheet).num_hinges();
   const int tries = creases > kMostCutLong ? 0 : creases > kMostCutDrawn ? 1 : 1 + kDraws;
-  FarMotion best = go_on_in(shortest, sheet, options, tries > 0 ? share_of_time(run, kFirstCutTime) : run);
+  FarMotion best = go_on_in(shortest, sheet, options, 0, tries > 0 ? share_of_time(run, kFirstCutTime) : run);
   for (int i = 0; i < tries && best.share < kFarEnough && !run.over(); ++i) {
     const Facets other = cut_into_facets(sheet, i == 0 ? CutChoice::Long : CutChoice::Drawn, options.seed + i);
     if (same_cuts(other, shortest)) continue;
-    FarMotion found = go_on_in(other, sheet, options, share_of_time(run, 1.0 / (tries - i)));
+    const double least = best.share + kWorthCutting;
+    FarMotion found = go_on_in(other, sheet, options, least, share_of_time(run, 1.0 / (tries - i)));
     found.timed_out = best.timed_out = best.timed_out || found.timed_out;
-    if (found.share > best.share + kWorthCutting) best = std::move(found);
+    if (found.share > least) best = std::move(found);
   }
   return best;
 }
@@ -287,7 +290,7 @@ FarMotion go_as_far(const Linkage& linkage, const CreasePattern* sheet, const Fo
   // Whole panels that are locked will be cut; pulling them first is time lost.
   const bool will_cut =
       may_cut && std::any_of(sheet->faces.begin(), sheet->faces.end(), [](const auto& f) { return f.size() > 3; });
-  FarMotion whole = go_on(linkage, begun, options, !will_cut, may_cut ? share_of_time(run, kWholeTime) : run);
+  FarMotion whole = go_on(linkage, begun, options, !will_cut, 0, may_cut ? share_of_time(run, kWholeTime) : run);
   if (!may_cut || whole.share >= kFarEnough || run.over()) return whole;
   FarMotion cut = go_on_in_facets(*sheet, options, run);
   cut.timed_out = whole.timed_out = cut.timed_out || whole.timed_out;

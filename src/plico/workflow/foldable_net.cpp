@@ -18,7 +18,9 @@ namespace plico {
 namespace {
 
 constexpr double kGoldenRatio = 0.6180339887498949;  // of the smaller part: its multiples spread evenly
-constexpr long kStepsBeforeAllTrees = 100'000;       // well below a second
+// Planners that find a motion of such a net find it early; plico fold tries harder.
+constexpr double kPlanningEffort = 0.25;
+constexpr long kStepsBeforeAllTrees = 100'000;  // well below a second
 
 long steps_for(const Mesh& mesh) { return 20'000 + std::min(300L * mesh.num_faces(), 1'500'000L); }
 
@@ -137,7 +139,10 @@ std::optional<Motion> planned_motion(const Mesh& mesh, const FoldForest& tree, c
                                      const Run& run) {
   const Linkage linkage = linkage_of(lay_flat(mesh, tree));
   if (linkage.num_hinges() + 1 < static_cast<int>(linkage.panels.size())) return {};
-  const MotionOptions planning{.seed = options.seed, .clearance = options.clearance};
+  MotionOptions planning;
+  planning.seed = options.seed;
+  planning.clearance = options.clearance;
+  planning.effort = kPlanningEffort;
   return plan(linkage, planning, run).motions.front();
 }
 

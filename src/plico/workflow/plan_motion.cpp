@@ -50,11 +50,16 @@ class Planning {
     return options_.method != MotionMethod::Linear && options_.method != MotionMethod::Uniform;
   }
 
+  long states_to_check() const {
+    const long most = options_.alternatives * most_states(linkage_);
+    return std::max(1L, static_cast<long>(options_.effort * static_cast<double>(most)));
+  }
+
   // Planned paths are free at their samples only; one that the proof refutes costs another try.
   void search() {
     const MotionMethod method = options_.method == MotionMethod::Auto ? MotionMethod::LazyPrm : options_.method;
     const Rng rng(options_.seed);
-    long states = options_.alternatives * most_states(linkage_);  // left to check, in all tries
+    long states = states_to_check();  // left, in all tries
     for (int i = 0; i < kTriesPerAlternative * options_.alternatives && states > 0 && !enough() && !run_.over(); ++i) {
       const PlannerOptions planner{.seed = rng.stream(i).next(),
                                    .planner = planner_of(method),
@@ -145,6 +150,7 @@ std::string_view name(MotionMethod method) { return kMethods[static_cast<std::si
 
 MotionOutcome plan(const Linkage& linkage, const MotionOptions& options, const Run& run) {
   require(options.alternatives >= 1, "alternatives", options.alternatives, "at least 1");
+  require(options.effort > 0 && options.effort <= 1, "effort", options.effort, "in (0, 1]");
   require_closable(linkage);
   return linkage.has_loops() ? plan_loops(linkage, options, run) : plan_tree(linkage, options, run);
 }

@@ -47,6 +47,7 @@ struct MotionOptions {
   FacetPolicy facets = FacetPolicy::Auto;
   // Without:
   bool may_search = true;  // Auto: false leaves out lazy-prm
+  double effort = 1;       // share of most_states() that planners may check, in (0, 1]
 };
 
 struct Motion {
