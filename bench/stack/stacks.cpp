@@ -141,7 +141,7 @@ Table small_shells(Goals& goals) {
   };
   Table table("Small shells: fewest layers of all stacks of all chains", {"shell", "base", "layers", "oracle", "s"});
   int right = 0, rows = 0;
-  const auto add = [&](const char* name, std::vector<Voxel> solid, const std::vector<Base>& bases) {
+  const auto add = [&](const char* name, const std::vector<Voxel>& solid, const std::vector<Base>& bases) {
     VoxelGrid grid(4, 4, 4);
     for (const Voxel& voxel : solid) grid.fill(voxel);
     const std::set<Headings> strips = all_strips(shell_of(grid));

@@ -60,8 +60,8 @@ struct Worst {
 
 class Bench {
  public:
-  Bench(fs::path program, int faces)
-      : program_(std::move(program)), room_(fs::temp_directory_path() / fmt::format("plico-stop-{}", getpid())) {
+  Bench(const fs::path& program, int faces)
+      : program_(program), room_(fs::temp_directory_path() / fmt::format("plico-stop-{}", getpid())) {
     fs::remove_all(room_);
     fs::create_directories(room_);
     mesh_ = room_ / "mesh.off";

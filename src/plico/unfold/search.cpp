@@ -8,6 +8,7 @@
 #include "plico/base/error.h"
 #include "plico/base/rng.h"
 #include "plico/unfold/by_component.h"
+#include "plico/unfold/count_cuts.h"
 #include "plico/unfold/dual_tree.h"
 #include "plico/unfold/exhaust.h"
 #include "plico/unfold/grow.h"
@@ -207,6 +208,7 @@ std::vector<std::pair<int, int>> overlaps_of(const DualTree& tree) {
 
 // Meshes up to this size are decided by trying all nets, should the search fail in its first steps.
 constexpr int kFewFaces = 40;
+// The same steps are what parts of a mesh without a net are worth.
 constexpr long kFirstSteps = 2000, kMostPartialNets = 300'000;
 
 // One connected mesh; face and edge numbers are its own.
@@ -221,8 +223,9 @@ class ConnectedSearch {
     Start start = best_start(faces_, options_, rng_, run_);
     result_.start_overlaps = start.overlaps;
     const bool few = faces_.mesh().num_faces() <= kFewFaces;
-    result_.ending = untangle(start, few ? std::min(kFirstSteps, most_) : most_);
-    if (few && result_.ending == Ending::Exhausted) {
+    result_.proven_impossible = count_cuts(faces_.mesh()).refutes();
+    result_.ending = untangle(start, few || result_.proven_impossible ? std::min(kFirstSteps, most_) : most_);
+    if (few && !result_.proven_impossible && result_.ending == Ending::Exhausted) {
       try_all(start);
       if (result_.ending == Ending::Exhausted && !result_.proven_impossible) result_.ending = untangle(start, most_);
     }

@@ -32,7 +32,8 @@ struct SearchResult {
   int parts = 0;
   int start_overlaps = 0;  // overlapping pairs of panels in the trees that the search set out from
   long steps = 0;          // subtrees hung elsewhere; as max_steps it repeats a run that was timed out
-  // No net exists: every spanning tree was tried (small meshes only, see exhaust.h).
+  // No net exists: its vertices need more cuts than a net has (count_cuts.h), or every spanning tree was tried (small
+  // meshes only, see exhaust.h).
   bool proven_impossible = false;
   // Pairs of mesh faces that still overlapped when the search ended and were then cut apart.
   std::vector<std::pair<int, int>> in_the_way;

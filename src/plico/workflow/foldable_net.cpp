@@ -9,6 +9,7 @@
 #include "plico/mesh/measures.h"
 #include "plico/motion/clear_trees.h"
 #include "plico/motion/collision.h"
+#include "plico/unfold/count_cuts.h"
 #include "plico/unfold/foldable.h"
 #include "plico/unfold/heuristics.h"
 #include "plico/unfold/search.h"
@@ -192,7 +193,7 @@ FoldableNet find_foldable_net(const Mesh& mesh, const FoldableNetOptions& option
   FoldableNet result;
   if (run.over()) return net_without_search(mesh, options, run);
   result.crossing = crossing_faces(mesh, clearance);
-  if (!result.crossing.empty()) {
+  if (!result.crossing.empty() || count_cuts(mesh).refutes()) {
     result.tree = find_net(mesh, {.seed = options.seed}, run).forest;
     result.proven_impossible = true;
     result.path = path_by(options.law, linkage_of(lay_flat(mesh, result.tree)));
