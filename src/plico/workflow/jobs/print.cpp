@@ -10,6 +10,7 @@
 
 #include "plico/base/error.h"
 #include "plico/fabricate/fabricate.h"
+#include "plico/fold/open_slits.h"
 #include "plico/io/page/drawing.h"
 #include "plico/io/pattern/fold.h"
 #include "plico/io/pattern/fold_colors.h"
@@ -63,6 +64,16 @@ std::string stem(const std::string& path) {
   return file.substr(0, file.find_last_of('.'));
 }
 
+// A crease pattern may have cuts with paper on both sides, which are printed as the knife goes: once a side.
+void open_slits_of(Unfolding& net) {
+  if (!net.mesh_face.empty()) return;  // nets are cut open as they are made
+  const int edges = net.sheet.num_edges();
+  net.sheet = open_slits(net.sheet);
+  if (net.sheet.num_edges() == edges) return;
+  net.part = parts_of(net.sheet);
+  if (!net.mate.empty()) net.mate.resize(net.sheet.edges.size(), -1);
+}
+
 int print(const NetArgs& args, Session& session) {
   LayoutOptions options = layout_options(args.print);
   const std::string name = stem(args.net);
@@ -80,6 +91,7 @@ int print(const NetArgs& args, Session& session) {
           fmt::format("plico:parts tells of {} pieces, the net has {}", options.titles.size(), file.net.num_parts()),
           args.net);
   }
+  open_slits_of(file.net);
   const FoldedShape shape = shape_of(file, parts, args, options, session);
   const LayoutResult result = lay_out_pages(file.net, shape, options, session.run());
   const LayoutVerdict verdict = verify_layout(result.layout);
