@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -57,6 +58,21 @@ double seconds(Work&& work) {
   const auto start = std::chrono::steady_clock::now();
   std::forward<Work>(work)();
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// Seconds of all processors: a busy machine changes them little.
+template <class Work>
+double processor_seconds(Work&& work) {
+  const std::clock_t start = std::clock();
+  std::forward<Work>(work)();
+  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+// The higher of the two middle ones; 0 of none.
+inline double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
 }
 
 // A cell is a name or a number; null is shown as "-" (the dissertation has no such row).

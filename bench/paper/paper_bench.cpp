@@ -63,12 +63,6 @@ std::string both(double before, double after, const char* unit = "") {
   return fmt::format("{:.3g} > {:.3g}{}", before, after, unit);
 }
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
-
 // Before > after of everything that is measured; returns by how much the hull left over shrank.
 double row(Table& table, const std::string& name, const Mesh& mesh, double longest_mm, const Run& run) {
   const Crafted was = crafted(mesh, HandWish::None, longest_mm, run);

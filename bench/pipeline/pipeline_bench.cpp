@@ -4,7 +4,6 @@
 // Table 2: each shell of the horse: net and motion ([Xi17] table 4.1: 7 patches, 12.75 s, 3 of 7 motions straight).
 // Table 3: whole models ([Xi17] table 5.3: Bulbasaur, 1138 triangles in 12 parts by hand, 112.4 s and 72.5 s).
 // Processor seconds of one thread; the dissertation's are those of a laptop of 2012 to 2015.
-#include <ctime>
 
 #include "plico/base/error.h"
 #include "plico/convex/shape_parts.h"
@@ -20,13 +19,6 @@ namespace plico::bench {
 namespace {
 
 using nlohmann::json;
-
-template <class Work>
-double processor_seconds(Work&& work) {
-  const std::clock_t start = std::clock();
-  std::forward<Work>(work)();
-  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-}
 
 struct TheirParts {
   const char* mesh;

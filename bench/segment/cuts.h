@@ -1,6 +1,5 @@
 // Cuts of meshes as the tables of bench_segment need them.
 #pragma once
-#include <ctime>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,13 +14,6 @@
 namespace plico::bench {
 
 inline constexpr double kSecondsAtMost = 60;  // for one row
-
-template <class Work>
-double processor_seconds(Work&& work) {
-  const std::clock_t start = std::clock();
-  std::forward<Work>(work)();
-  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-}
 
 struct Seam {
   double diagonals = 0, concave = 0;  // length; share of it in valleys

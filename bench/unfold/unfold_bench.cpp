@@ -37,11 +37,6 @@ struct Ours {
   int start_overlaps = 0;
 };
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
 Ours run_ours(const Mesh& mesh, int seeds, double limit = kSearchSeconds) {
   Ours ours;
   std::vector<double> searches, judgements;

@@ -10,6 +10,7 @@ using Vec3 = Eigen::Vector3d;
 using Pose = Eigen::Isometry3d;  // a rigid motion of space
 
 constexpr double kPi = 3.14159265358979323846;
+constexpr double kMaxCoordinate = 1e30;  // of files: products of six must stay finite
 
 constexpr double radians(double degrees) { return degrees * (kPi / 180); }
 constexpr double degrees(double radians) { return radians * (180 / kPi); }

@@ -253,7 +253,7 @@ std::vector<ConvexPolyhedron> checked_hulls(const std::vector<ShapePart>& parts)
   std::vector<ConvexPolyhedron> hulls;
   for (const ShapePart& part : parts) {
     for (const Vec3& p : part.points)
-      if (!p.allFinite() || p.cwiseAbs().maxCoeff() > 1e30)
+      if (!(p.array().abs() <= kMaxCoordinate).all())
         throw InvalidInput(
             "shell/not-a-number",
             fmt::format("a coordinate is {} {} {}, must be finite and at most 1e30", p.x(), p.y(), p.z()),

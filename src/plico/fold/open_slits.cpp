@@ -2,22 +2,22 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <utility>
 #include <vector>
+
+#include "plico/mesh/face_sides.h"
 
 namespace plico {
 namespace {
 
 class SlitOpener {
  public:
-  explicit SlitOpener(const CreasePattern& sheet) : old_(sheet), sides_(edge_sides(sheet)), open_(sheet) {
-    for (const std::vector<int>& face : sheet.faces) {
-      first_corner_.push_back(static_cast<int>(group_.size()));
-      group_.resize(group_.size() + face.size());
-    }
-    std::iota(group_.begin(), group_.end(), 0);
-  }
+  explicit SlitOpener(const CreasePattern& sheet)
+      : old_(sheet),
+        sides_(edge_sides(sheet)),
+        open_(sheet),
+        first_corner_(first_corners(sheet)),
+        groups_(first_corner_.back()) {}
 
   CreasePattern run() {
     const int edges = old_.num_edges();
@@ -33,6 +33,13 @@ class SlitOpener {
   }
 
  private:
+  // Of each panel, and the number of all corners.
+  static std::vector<int> first_corners(const CreasePattern& sheet) {
+    std::vector<int> first{0};
+    for (const std::vector<int>& face : sheet.faces) first.push_back(first.back() + static_cast<int>(face.size()));
+    return first;
+  }
+
   bool joins(int e) const { return sides_[e].left >= 0 && sides_[e].right >= 0; }
   bool is_slit(int e) const { return joins(e) && old_.edges[e].assignment == Assignment::Cut; }
 
@@ -41,16 +48,9 @@ class SlitOpener {
     return first_corner_[face] + static_cast<int>(std::find(corners.begin(), corners.end(), vertex) - corners.begin());
   }
 
-  int group(int corner) {
-    while (group_[corner] != corner) corner = group_[corner] = group_[group_[corner]];
-    return corner;
-  }
-
   void join_corners(int e) {
-    for (const int v : {old_.edges[e].a, old_.edges[e].b}) {
-      const int f = group(corner(sides_[e].left, v)), g = group(corner(sides_[e].right, v));
-      group_[std::max(f, g)] = std::min(f, g);
-    }
+    for (const int v : {old_.edges[e].a, old_.edges[e].b})
+      groups_.join(corner(sides_[e].left, v), corner(sides_[e].right, v));
   }
 
   // The first group of corners at a vertex keeps it, each further one gets its own.
@@ -61,7 +61,7 @@ class SlitOpener {
       for (std::size_t i = 0; i < old_.faces[f].size(); ++i) {
         const int v = old_.faces[f][i];
         if (!apart_[v]) continue;
-        const auto [at, fresh] = name.try_emplace(group(first_corner_[f] + static_cast<int>(i)), v);
+        const auto [at, fresh] = name.try_emplace(groups_.find(first_corner_[f] + static_cast<int>(i)), v);
         if (fresh && taken[v]) at->second = add_vertex(old_.vertices[v]);
         taken[v] = 1;
         open_.faces[f][i] = at->second;
@@ -109,7 +109,8 @@ class SlitOpener {
   const CreasePattern& old_;
   std::vector<EdgeSides> sides_;
   CreasePattern open_;
-  std::vector<int> first_corner_, group_;
+  const std::vector<int> first_corner_;
+  DisjointSets groups_;  // corners that hold together
   std::vector<char> apart_;
   std::vector<std::pair<int, Crease>> halves_;  // second sides that need a middle, with their panels
 };

@@ -22,8 +22,8 @@ struct Problem {
 };
 
 struct CheckOptions {
-  double planarity = 1e-5;         // of the face's size: how far a corner may be off the plane; above 0
-  double max_coordinate = 1e30;    // products of six must stay finite
+  double planarity = 1e-5;  // of the face's size: how far a corner may be off the plane; above 0
+  double max_coordinate = kMaxCoordinate;
   int max_faces = 5'000'000;       // at least 1
   bool self_intersections = true;  // the only check that costs more than sorting
 };

@@ -14,8 +14,8 @@ enum class RepairLevel { Safe, Full };
 
 struct RepairOptions {
   RepairLevel level = RepairLevel::Full;
-  double planarity = 1e-5;       // polygons farther off their plane are cut into triangles (check.h); above 0
-  double max_coordinate = 1e30;  // faces with a coordinate beyond are removed
+  double planarity = 1e-5;                 // polygons farther off their plane are cut into triangles (check.h); above 0
+  double max_coordinate = kMaxCoordinate;  // faces with a coordinate beyond are removed
   // Faces with less area, as part of the square of their size, have none: thinner than single precision can say, they
   // are left over where a vertex was meant to lie on an edge. At least 0.
   double least_area = 1.2e-7;

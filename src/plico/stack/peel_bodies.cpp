@@ -1,7 +1,6 @@
 #include "plico/stack/peel_bodies.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace plico {
 namespace {
@@ -14,34 +13,13 @@ std::vector<OrientedBox> boxes_at(const std::vector<Pose>& poses, const std::vec
 
 }  // namespace
 
-BoxTree::BoxTree(const std::vector<OrientedBox>& boxes) {
-  nodes_.reserve(2 * boxes.size());
-  std::vector<int> numbers(boxes.size());
-  std::iota(numbers.begin(), numbers.end(), 0);
-  build(numbers.begin(), numbers.end(), boxes);
-}
-
-void BoxTree::build(std::vector<int>::iterator begin, std::vector<int>::iterator end,
-                    const std::vector<OrientedBox>& boxes) {
-  const std::size_t at = nodes_.size();
-  Eigen::AlignedBox3d around;
-  for (auto number = begin; number != end; ++number) {
-    const OrientedBox& box = boxes[*number];
+BoxTree tree_around(const std::vector<OrientedBox>& boxes) {
+  std::vector<Eigen::AlignedBox3d> around;
+  for (const OrientedBox& box : boxes) {
     const Vec3 half = box.axes.cwiseAbs() * box.half;
-    around.extend(Vec3(box.center - half)).extend(Vec3(box.center + half));
+    around.emplace_back(Vec3(box.center - half), Vec3(box.center + half));
   }
-  nodes_.push_back({around.min(), around.max(), around.diagonal().norm() / 2, *std::min_element(begin, end), 0});
-  if (end - begin == 1) return;
-  Eigen::Index longest = 0;
-  around.sizes().maxCoeff(&longest);
-  const auto middle = begin + (end - begin) / 2;
-  std::nth_element(begin, middle, end, [&](int a, int b) {
-    const double at_a = boxes[a].center[longest], at_b = boxes[b].center[longest];
-    return at_a != at_b ? at_a < at_b : a < b;
-  });
-  build(begin, middle, boxes);
-  nodes_[at].right = nodes_.size();
-  build(middle, end, boxes);
+  return BoxTree(around);
 }
 
 PeelBodies::PeelBodies(const Linkage& chain, int sign, double air)
@@ -56,7 +34,7 @@ PeelBodies::PeelBodies(const Linkage& chain, int sign, double air)
         for (int p = 0; p < chain.num_panels(); ++p) flat.push_back(panel(p));
         return boxes_at(pose_, flat);
       }()),
-      tree_(standing_) {}
+      tree_(tree_around(standing_)) {}
 
 OrientedBox PeelBodies::panel(int p) const {
   const std::vector<Vec3>& outline = chain_.panels[p];

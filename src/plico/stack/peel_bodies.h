@@ -3,54 +3,24 @@
 #include <vector>
 
 #include "plico/fold/linkage.h"
+#include "plico/geom/box_tree.h"
 #include "plico/geom/oriented_box.h"
 
 namespace plico {
 
-// What is near among boxes along the axes: boxes around boxes, halved across their longest side down to single ones.
-class BoxTree {
- public:
-  explicit BoxTree(const std::vector<OrientedBox>& boxes);
+BoxTree tree_around(const std::vector<OrientedBox>& boxes);
 
-  // Does `is_met` say yes to one of the boxes 0 .. last? Asked are those that may come nearer than `slack` to `box`.
-  template <class Test>
-  bool any_near(const OrientedBox& box, double slack, int last, const Test& is_met) const {
-    const Vec3 half = box.axes.cwiseAbs() * box.half + Vec3::Constant(slack);
-    return any_below(0, {box, slack, last, box.center - half, box.center + half}, is_met);
-  }
-
- private:
-  struct Node {
-    Vec3 low, high;
-    double radius = 0;
-    int first = 0;          // of the boxes in it the one with the lowest number
-    std::size_t right = 0;  // its second half, the first one is next; 0: a single box
+// Does `is_met` say yes to one of the boxes 0 .. last? Asked are those that may come nearer than `slack` to `box`.
+template <class Test>
+bool any_near(const BoxTree& tree, const OrientedBox& box, double slack, int last, const Test& is_met) {
+  const Vec3 half = box.axes.cwiseAbs() * box.half + Vec3::Constant(slack);
+  const Vec3 low = box.center - half, high = box.center + half;
+  const auto enters = [&](const Eigen::AlignedBox3d& other) {
+    return (low.array() <= other.max().array()).all() && (other.min().array() <= high.array()).all() &&
+           distance(box, other.center()) < slack + other.diagonal().norm() / 2;
   };
-  struct Query {
-    const OrientedBox& box;
-    double slack;
-    int last;
-    Vec3 low, high;
-  };
-
-  void build(std::vector<int>::iterator begin, std::vector<int>::iterator end, const std::vector<OrientedBox>& boxes);
-
-  static bool may_touch(const Node& node, const Query& query) {
-    return node.first <= query.last && (query.low.array() <= node.high.array()).all() &&
-           (node.low.array() <= query.high.array()).all() &&
-           distance(query.box, (node.low + node.high) / 2) < query.slack + node.radius;
-  }
-
-  template <class Test>
-  bool any_below(std::size_t at, const Query& query, const Test& is_met) const {
-    const Node& node = nodes_[at];
-    if (!may_touch(node, query)) return false;
-    if (node.right == 0) return is_met(node.first);
-    return any_below(at + 1, query, is_met) || any_below(node.right, query, is_met);
-  }
-
-  std::vector<Node> nodes_;
-};
+  return tree.any(enters, [&](int i) { return i <= last && is_met(i); });
+}
 
 class PeelBodies {
  public:

@@ -145,7 +145,7 @@ bool PeelWindow::is_hit(const Placed& at) const {
     if (gap(at.box[deep], at.box[other]) <= bodies_.least_gap()) return true;
   for (int m = 0; m < static_cast<int>(movers_.size()); ++m) {
     const auto meets = [&](int panel) { return gap(at.box[m], bodies_.standing(panel)) <= bodies_.least_gap(); };
-    if (bodies_.standing_tree().any_near(at.box[m], bodies_.least_gap(), last_standing(m), meets)) return true;
+    if (any_near(bodies_.standing_tree(), at.box[m], bodies_.least_gap(), last_standing(m), meets)) return true;
   }
   return false;
 }
@@ -157,7 +157,7 @@ bool PeelWindow::is_clear(const Interval& interval) const {
   for (int m = 0; m < static_cast<int>(movers_.size()); ++m) {
     const Motion moved = motion(m, 0, interval);
     const auto may_meet = [&](int panel) { return !stays_clear(box[m], bodies_.standing(panel), moved); };
-    if (bodies_.standing_tree().any_near(box[m], moved.total + bodies_.least_gap(), last_standing(m), may_meet))
+    if (any_near(bodies_.standing_tree(), box[m], moved.total + bodies_.least_gap(), last_standing(m), may_meet))
       return false;
   }
   return true;
@@ -205,7 +205,7 @@ std::vector<PeelWindow::Pair> PeelWindow::near_pairs(const Interval& interval) c
       return false;
     };
     const double slack = motion(m, 0, interval).total + bodies_.least_gap();
-    bodies_.standing_tree().any_near(interval.at.box[m], slack, last_standing(m), add);
+    any_near(bodies_.standing_tree(), interval.at.box[m], slack, last_standing(m), add);
   }
   return pairs;
 }

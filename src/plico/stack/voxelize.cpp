@@ -10,8 +10,7 @@
 namespace plico {
 namespace {
 
-constexpr double kMaxCoordinate = 1e30;  // as for every mesh
-constexpr double kMargin = 1e-6;         // of a voxel: sides of the surface's box lie inside the outermost voxels
+constexpr double kMargin = 1e-6;  // of a voxel: sides of the surface's box lie inside the outermost voxels
 constexpr int kBisections = 40;
 
 using Corners = std::array<Vec3, 3>;
@@ -81,11 +80,11 @@ Eigen::AlignedBox3d box_of_corners(const PolygonSoup& soup) {
   Eigen::AlignedBox3d box;
   for (int v : soup.corners) {
     const Vec3& p = soup.points[v];
-    if (!p.allFinite() || p.cwiseAbs().maxCoeff() > kMaxCoordinate)
+    if (!(p.array().abs() <= kMaxCoordinate).all())
       throw InvalidInput("mesh/not-finite",
                          fmt::format("a coordinate is {} {} {}, must be finite and at most 1e30", p.x(), p.y(), p.z()),
                          fmt::format("vertex {}", v), "plico check");
-    box.extend(soup.points[v]);
+    box.extend(p);
   }
   return box;
 }

@@ -8,12 +8,11 @@
 namespace plico {
 namespace {
 
-constexpr double kTurn = 6.283185307179586;
 constexpr double kTrifle = 1e-6;  // radians
 
 // Groups of at most a full turn that the faces around a vertex fall into.
 long num_groups(const Mesh& mesh, VertexId v) {
-  return std::max(1L, static_cast<long>(std::ceil((angle_sum(mesh, v) - kTrifle) / kTurn)));
+  return std::max(1L, static_cast<long>(std::ceil((angle_sum(mesh, v) - kTrifle) / (2 * kPi))));
 }
 
 }  // namespace

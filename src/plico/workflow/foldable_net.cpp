@@ -140,10 +140,7 @@ std::optional<Motion> planned_motion(const Mesh& mesh, const FoldForest& tree, c
                                      const Run& run) {
   const Linkage linkage = linkage_of(lay_flat(mesh, tree));
   if (linkage.num_hinges() + 1 < static_cast<int>(linkage.panels.size())) return {};
-  MotionOptions planning;
-  planning.seed = options.seed;
-  planning.clearance = options.clearance;
-  planning.effort = kPlanningEffort;
+  const MotionOptions planning{.seed = options.seed, .clearance = options.clearance, .effort = kPlanningEffort};
   return plan(linkage, planning, run).motions.front();
 }
 

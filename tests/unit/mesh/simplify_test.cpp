@@ -8,22 +8,14 @@
 #include "plico/mesh/measures.h"
 #include "plico/shapes/named_shapes.h"
 #include "plico/shapes/shapes.h"
+#include "triangle_sheet.h"
 
 namespace plico {
 namespace {
 
-// A sheet of n x n squares, each cut in two, wavy when `height` is above 0.
+// Wavy when `height` is above 0.
 Mesh sheet(int n, double height) {
-  PolygonSoup soup;
-  for (int i = 0; i <= n; ++i)
-    for (int j = 0; j <= n; ++j) soup.points.emplace_back(i, j, height * ((i * j) % 3));
-  const auto id = [&](int i, int j) { return i * (n + 1) + j; };
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) {
-      soup.add_face({id(i, j), id(i + 1, j), id(i + 1, j + 1)});
-      soup.add_face({id(i, j), id(i + 1, j + 1), id(i, j + 1)});
-    }
-  return Mesh(soup);
+  return triangle_sheet(n, [height](int x, int y) { return height * ((x * y) % 3); });
 }
 
 TEST(Simplify, AFlatOpenSheetKeepsItsOutline) {

@@ -16,18 +16,18 @@ OrientedBox random_box(Rng& rng) {
   return box;
 }
 
-TEST(BoxTree, AsksEveryBoxThatIsNearAndHasALowNumber) {
+TEST(StandingTree, AsksEveryBoxThatIsNearAndHasALowNumber) {
   Rng rng(5);
   std::vector<OrientedBox> boxes;
   for (int i = 0; i < 60; ++i) boxes.push_back(random_box(rng));
-  const BoxTree tree(boxes);
+  const BoxTree tree = tree_around(boxes);
   for (int i = 0; i < 100; ++i) {
     OrientedBox box = random_box(rng);
     box.axes = rotation(Vec3(1, 2, 2) / 3, rng.uniform());
     const double slack = rng.uniform();
     const int last = rng.below(60);
     std::vector<int> asked(boxes.size(), 0);
-    tree.any_near(box, slack, last, [&](int b) {
+    any_near(tree, box, slack, last, [&](int b) {
       ++asked[b];
       return false;
     });
@@ -36,7 +36,7 @@ TEST(BoxTree, AsksEveryBoxThatIsNearAndHasALowNumber) {
       for (const Vec3& corner : corners_of(box))
         EXPECT_TRUE(asked[b] || b > last || distance(boxes[b], corner) >= slack);
     }
-    EXPECT_EQ(tree.any_near(box, slack, last, [](int) { return true; }), asked != std::vector<int>(60, 0));
+    EXPECT_EQ(any_near(tree, box, slack, last, [](int) { return true; }), asked != std::vector<int>(60, 0));
   }
 }
 

@@ -5,25 +5,14 @@
 #include "mesh_samples.h"
 #include "plico/mesh/measures.h"
 #include "plico/unfold/search.h"
+#include "triangle_sheet.h"
 
 namespace plico {
 namespace {
 
-// z = x y over a square of n x n cells, each cut in two: all inner vertices are hyperbolic.
+// Bent like z = x y, so that all inner vertices are hyperbolic.
 Mesh saddle(int n) {
-  PolygonSoup soup;
-  for (int y = 0; y <= n; ++y)
-    for (int x = 0; x <= n; ++x) {
-      const double u = 2.0 * x / n - 1, v = 2.0 * y / n - 1;
-      soup.points.emplace_back(u, v, u * v);
-    }
-  const auto at = [n](int x, int y) { return y * (n + 1) + x; };
-  for (int y = 0; y < n; ++y)
-    for (int x = 0; x < n; ++x) {
-      soup.add_face({at(x, y), at(x + 1, y), at(x + 1, y + 1)});
-      soup.add_face({at(x, y), at(x + 1, y + 1), at(x, y + 1)});
-    }
-  return Mesh(soup);
+  return triangle_sheet(n, [n](int x, int y) { return (x - n / 2.0) * (y - n / 2.0) / n; });
 }
 
 TEST(CountCuts, ASaddleHasNoNetWhateverItsSize) {
@@ -57,9 +46,7 @@ TEST(CountCuts, AFlatSheetAndATriangleNeedNothingTheyDoNotHave) {
   triangle.points = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
   triangle.add_face({0, 1, 2});
   EXPECT_EQ(count_cuts(Mesh(triangle)).needed, 0);
-  PolygonSoup sheet = saddle(4).soup();
-  for (Vec3& p : sheet.points) p.z() = 0;
-  EXPECT_FALSE(count_cuts(Mesh(sheet)).refutes());
+  EXPECT_FALSE(count_cuts(triangle_sheet(4, [](int, int) { return 0; })).refutes());
 }
 
 }  // namespace

@@ -11,8 +11,7 @@
 namespace plico::fold_json {
 namespace {
 
-constexpr double kMaxCoordinate = 1e30;  // as for meshes: products of six must stay finite
-constexpr double kFlatSheet = 1e-5;      // of the extent
+constexpr double kFlatSheet = 1e-5;  // of the extent
 
 // Of the points, the one for which `distance` is largest.
 template <class Distance>
