@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "plico/base/error.h"
 #include "plico/mesh/measures.h"
 
 namespace plico {
 namespace {
+
+constexpr int kPartsInARow = 100;
 
 // Lays one part after another while walking the trees.
 class Layout {
@@ -77,17 +80,26 @@ class Layout {
     net_.mesh_vertex.push_back(mesh_.from(h));
   }
 
+  // In one row, or in several: far from the origin coordinates are coarse, and panels that touch would overlap.
   void move_beside_others(int first) {
     Eigen::AlignedBox2d box;
     for (int v = first; v < net_.sheet.num_vertices(); ++v) box.extend(net_.sheet.vertices[v]);
-    if (first > 0) {
-      const Vec2 shift(right_ + gap_ - box.min().x(), 0);
+    if (first == 0) {
+      gap_ = 0.05 * box.diagonal().norm();
+    } else {
+      Vec2 shift(right_ + gap_ - box.min().x(), 0);
+      if (in_row_ == kPartsInARow) {
+        in_row_ = 0;
+        bottom_ = top_ + gap_;
+        shift.x() = -box.min().x();
+      }
+      if (bottom_) shift.y() = *bottom_ - box.min().y();
       for (int v = first; v < net_.sheet.num_vertices(); ++v) net_.sheet.vertices[v] += shift;
       box.translate(shift);
-    } else {
-      gap_ = 0.05 * box.diagonal().norm();
     }
+    ++in_row_;
     right_ = box.max().x();
+    top_ = std::max(top_, box.max().y());
   }
 
   void collect_faces() {
@@ -122,7 +134,9 @@ class Layout {
   const FoldForest& forest_;
   Unfolding net_;
   std::vector<int> net_vertex_;  // of each halfedge's from-corner
-  double right_ = 0, gap_ = 0;
+  double right_ = 0, top_ = 0, gap_ = 0;
+  std::optional<double> bottom_;  // of a row that is not the first
+  int in_row_ = 0;
 };
 
 }  // namespace

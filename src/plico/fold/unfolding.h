@@ -26,9 +26,9 @@ struct Unfolding {
 };
 
 // Lays the trees of `forest` flat: panel i is mesh face i; each part starts at its lowest face, whose first side lies
-// along +x from the origin, and the parts stand side by side in x. Edges are numbered in the order of panels and sides.
-// Positions are rigid motions of the mesh's faces, composed along the tree: a relative rounding error of about 1e-16
-// per step. Throws InvalidInput when the forest has a cycle or crosses a boundary edge. O(n).
+// along +x from the origin, and the parts stand side by side in x, a hundred a row. Edges are numbered in the order of
+// panels and sides. Positions are rigid motions of the mesh's faces, composed along the tree: a relative rounding error
+// of about 1e-16 per step. Throws InvalidInput when the forest has a cycle or crosses a boundary edge. O(n).
 Unfolding lay_flat(const Mesh& mesh, const FoldForest& forest);
 
 // The corners of a face in its own plane: first corner at the origin, first side along +x, counter-clockwise.

@@ -161,7 +161,56 @@ class Joining {
   std::vector<PanelGrid> grids_;
 };
 
+// The trees of a forest from their lowest faces down, and which of their folds are cut.
+class Branches {
+ public:
+  Branches(const Mesh& mesh, FoldForest& forest)
+      : mesh_(mesh), forest_(forest), above_(mesh.num_faces()), size_(mesh.num_faces(), 1) {
+    std::vector<char> seen(mesh.num_faces(), 0);
+    for (FaceId f : mesh.faces())
+      if (!seen[f]) walk(f, seen);
+  }
+
+  bool together(int a, int b) const { return root(a) == root(b); }
+  void cut_smaller(int a, int b) {
+    const int panel = size_[a] <= size_[b] ? a : b;  // never the one the other hangs from
+    forest_.is_fold[mesh_.edge(above_[panel])] = 0;
+    above_[panel] = HalfedgeId();
+  }
+
+ private:
+  void walk(FaceId first, std::vector<char>& seen) {
+    std::vector<FaceId> order{first};
+    seen[first] = 1;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      for (HalfedgeId h : mesh_.halfedges(order[i])) {
+        if (!forest_.is_fold[mesh_.edge(h)] || seen[mesh_.face(mesh_.twin(h))]) continue;
+        const FaceId below = mesh_.face(mesh_.twin(h));
+        seen[below] = 1;
+        above_[below] = h;
+        order.push_back(below);
+      }
+    }
+    for (std::size_t i = order.size(); i-- > 1;) size_[mesh_.face(above_[order[i]])] += size_[order[i]];
+  }
+  int root(int panel) const {
+    while (above_[panel].valid()) panel = mesh_.face(above_[panel]);
+    return panel;
+  }
+
+  const Mesh& mesh_;
+  FoldForest& forest_;
+  std::vector<HalfedgeId> above_;  // the side of the panel above
+  std::vector<int> size_;          // panels of the branch, as they were at first
+};
+
 }  // namespace
+
+void part_pairs(const Mesh& mesh, FoldForest& forest, const std::vector<std::pair<int, int>>& pairs) {
+  Branches branches(mesh, forest);
+  for (const auto& [a, b] : pairs)
+    if (branches.together(a, b)) branches.cut_smaller(a, b);
+}
 
 FoldForest part_overlaps(const FlatFaces& faces, const FoldForest& tree) {
   const DualTree laid(faces, tree);

@@ -1,5 +1,8 @@
 // From a tree whose panels overlap to few parts whose panels do not.
 #pragma once
+#include <utility>
+#include <vector>
+
 #include "plico/base/run.h"
 #include "plico/fold/unfolding.h"
 #include "plico/unfold/flat_faces.h"
@@ -12,5 +15,9 @@ namespace plico {
 // The result is a forest without overlap; one part when `tree` is a net already.
 // O(n + pairs * depth + joins).
 FoldForest part_overlaps(const FlatFaces& faces, const FoldForest& tree);
+
+// Cuts one fold between the two panels of every pair that `forest` still holds together: the one that carries the
+// smaller of their branches. For pairs that a judge finds in the finished layout. O(n + pairs * depth).
+void part_pairs(const Mesh& mesh, FoldForest& forest, const std::vector<std::pair<int, int>>& pairs);
 
 }  // namespace plico

@@ -7,6 +7,7 @@
 #include "plico/base/rng.h"
 #include "plico/unfold/by_component.h"
 #include "plico/unfold/classic.h"
+#include "plico/unfold/parts.h"
 
 namespace plico {
 namespace {
@@ -77,6 +78,22 @@ void optimize(const Mesh& mesh, const UnfoldOptions& options, const Run& run, Un
   });
 }
 
+// The judge looks closer than the searches do. What it finds is cut apart and judged again: each round cuts, so that at
+// last panels stand alone.
+void lay_flat_and_judge(const Mesh& mesh, UnfoldOutcome& outcome) {
+  for (;;) {
+    outcome.unfolding = lay_flat(mesh, outcome.forest);
+    outcome.verdict = verify_net(outcome.unfolding, mesh);  // never cut short: whatever is returned has been judged
+    std::vector<std::pair<int, int>> pairs;
+    for (const OverlappingPair& pair : outcome.verdict.overlaps.listed) pairs.emplace_back(pair.a, pair.b);
+    const FoldForest before = outcome.forest;
+    part_pairs(mesh, outcome.forest, pairs);
+    if (outcome.forest == before) return;
+    outcome.ending = Ending::Exhausted;
+    outcome.in_the_way.insert(outcome.in_the_way.end(), pairs.begin(), pairs.end());
+  }
+}
+
 }  // namespace
 
 void check(const UnfoldOptions& options) {
@@ -96,9 +113,7 @@ UnfoldOutcome unfold_mesh(const Mesh& mesh, const UnfoldOptions& options, const 
   if (options.optimize && outcome.ending == Ending::Found) optimize(mesh, options, run, outcome);
   outcome.optimize_seconds = seconds_since(searched);
   const auto found = Run::Clock::now();
-  outcome.unfolding = lay_flat(mesh, outcome.forest);
-  // The judge is never cut short: whatever is returned has been judged.
-  outcome.verdict = verify_net(outcome.unfolding, mesh);
+  lay_flat_and_judge(mesh, outcome);
   outcome.verify_seconds = seconds_since(found);
   if (outcome.ending == Ending::Found && !outcome.verified()) outcome.ending = Ending::Exhausted;
   return outcome;
