@@ -1,0 +1,1 @@
+// The executable that tests/precompiled.h is compiled for.
