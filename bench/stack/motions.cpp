@@ -3,6 +3,7 @@
 
 #include "plico/io/mesh/mesh_file.h"
 #include "plico/shapes/named_shapes.h"
+#include "plico/stack/peel_by_samples.h"
 #include "plico/workflow/stack_motion.h"
 #include "tables.h"
 
@@ -86,7 +87,7 @@ void price_of_proof(const StackBench& bench, Table& table, Goals& goals) {
       const Linkage linkage = chain_linkage_of(chain.claim);
       const int sign = pile_sign(chain.found.best.folds);
       proven += seconds([&] { peel(linkage, sign); });
-      sampled += seconds([&] { peel(linkage, sign, {.sample = 7.5}); });
+      sampled += seconds([&] { peel_by_samples(linkage, sign, 7.5); });
     }
     table.row({"10 chains of 300", thickness, proven, sampled, proven / sampled});
     goals.add(fmt::format("proof in the planner against samples, t = {}", thickness), fmt::format("{:g} times", most),

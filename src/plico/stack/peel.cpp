@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "plico/base/error.h"
+#include "plico/stack/peel_by_samples.h"
 #include "plico/stack/peel_level.h"
 
 namespace plico {
@@ -13,9 +14,11 @@ namespace {
 
 class PeelSearch {
  public:
-  PeelSearch(const Linkage& chain, int sign, const PeelOptions& options, const Run& run)
+  // `sample` as PeelLevel has it.
+  PeelSearch(const Linkage& chain, int sign, const PeelOptions& options, double sample, const Run& run)
       : bodies_(chain, sign, options.air),
         options_(options),
+        sample_(sample),
         run_(run),
         hinges_(chain.num_hinges()),
         levels_(chain.num_hinges()) {
@@ -59,7 +62,7 @@ class PeelSearch {
       angles[i] = was_open ? (*before)[i + 1] : bodies_.pile_angle(first + i);
     }
     if (!levels_[first])
-      levels_[first] = std::make_unique<PeelLevel>(bodies_, first, width(first), options_.step, options_.sample);
+      levels_[first] = std::make_unique<PeelLevel>(bodies_, first, width(first), options_.step, sample_);
     return levels_[first]->enter(angles);
   }
 
@@ -84,6 +87,7 @@ class PeelSearch {
 
   const PeelBodies bodies_;
   const PeelOptions& options_;
+  const double sample_;
   const Run& run_;
   const int hinges_;
   PeelEffort effort_;
@@ -94,16 +98,25 @@ class PeelSearch {
   Peel result_;
 };
 
-}  // namespace
-
-Peel peel(const Linkage& chain, int sign, const PeelOptions& options, const Run& run) {
+void check_options(const PeelOptions& options) {
   require(options.air > 0 && options.air < 0.5, "air", options.air, "in (0, 0.5)");
   require(options.widest >= 1 && options.widest <= kMostOpen, "widest", options.widest, "1 to 4");
   require(options.step >= 1 && 90 % options.step == 0, "step", options.step, "a divisor of 90");
-  require(options.sample >= 0, "sample", options.sample, "at least 0");
   require(options.nodes >= 0, "nodes", options.nodes, "at least 0");
   require(options.patience >= 1, "patience", options.patience, "at least 1");
-  return PeelSearch(chain, sign, options, run).run();
+}
+
+}  // namespace
+
+Peel peel(const Linkage& chain, int sign, const PeelOptions& options, const Run& run) {
+  check_options(options);
+  return PeelSearch(chain, sign, options, 0, run).run();
+}
+
+Peel peel_by_samples(const Linkage& chain, int sign, double apart, const PeelOptions& options, const Run& run) {
+  check_options(options);
+  require(apart > 0, "apart", apart, "above 0");
+  return PeelSearch(chain, sign, options, apart, run).run();
 }
 
 }  // namespace plico

@@ -16,7 +16,6 @@ struct PeelOptions {
   int widest = 4;        // hinges that may be open at a time, 1 to 4
   int step = 90;         // degrees between angles, a divisor of 90
   long nodes = 1000000;  // states looked at in the whole search, at least 0
-  double sample = 0;  // above 0: looks every so many degrees instead of proving; only to measure what the proof costs
   long patience = 3000;  // and since the longest prefix grew, at least 1: another chain is tried sooner than all ways
 };
 

@@ -13,13 +13,15 @@ std::vector<OrientedBox> boxes_at(const std::vector<Pose>& poses, const std::vec
 
 }  // namespace
 
-BoxTree tree_around(const std::vector<OrientedBox>& boxes) {
+StandingTrees::StandingTrees(const std::vector<OrientedBox>& boxes) {
   std::vector<Eigen::AlignedBox3d> around;
-  for (const OrientedBox& box : boxes) {
-    const Vec3 half = box.axes.cwiseAbs() * box.half;
-    around.emplace_back(Vec3(box.center - half), Vec3(box.center + half));
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const Vec3 half = boxes[i].axes.cwiseAbs() * boxes[i].half;
+    around.emplace_back(Vec3(boxes[i].center - half), Vec3(boxes[i].center + half));
+    if (around.size() < kBlock && i + 1 < boxes.size()) continue;
+    trees_.emplace_back(around);
+    around.clear();
   }
-  return BoxTree(around);
 }
 
 PeelBodies::PeelBodies(const Linkage& chain, int sign, double air)
@@ -34,7 +36,7 @@ PeelBodies::PeelBodies(const Linkage& chain, int sign, double air)
         for (int p = 0; p < chain.num_panels(); ++p) flat.push_back(panel(p));
         return boxes_at(pose_, flat);
       }()),
-      tree_(tree_around(standing_)) {}
+      trees_(standing_) {}
 
 OrientedBox PeelBodies::panel(int p) const {
   const std::vector<Vec3>& outline = chain_.panels[p];

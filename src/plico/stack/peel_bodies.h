@@ -8,19 +8,31 @@
 
 namespace plico {
 
-BoxTree tree_around(const std::vector<OrientedBox>& boxes);
+// Boxes in the order of the chain, in trees of so many: what comes after a panel is not looked at, and what follows
+// each other is near.
+class StandingTrees {
+ public:
+  explicit StandingTrees(const std::vector<OrientedBox>& boxes);
 
-// Does `is_met` say yes to one of the boxes 0 .. last? Asked are those that may come nearer than `slack` to `box`.
-template <class Test>
-bool any_near(const BoxTree& tree, const OrientedBox& box, double slack, int last, const Test& is_met) {
-  const Vec3 half = box.axes.cwiseAbs() * box.half + Vec3::Constant(slack);
-  const Vec3 low = box.center - half, high = box.center + half;
-  const auto enters = [&](const Eigen::AlignedBox3d& other) {
-    return (low.array() <= other.max().array()).all() && (other.min().array() <= high.array()).all() &&
-           distance(box, other.center()) < slack + other.diagonal().norm() / 2;
-  };
-  return tree.any(enters, [&](int i) { return i <= last && is_met(i); });
-}
+  static constexpr int kBlock = 128;
+
+  // Does `is_met` say yes to one of the boxes 0 .. last? Asked are those that may come nearer than `slack` to `box`.
+  template <class Test>
+  bool any_near(const OrientedBox& box, double slack, int last, const Test& is_met) const {
+    const Vec3 half = box.axes.cwiseAbs() * box.half + Vec3::Constant(slack);
+    const Vec3 low = box.center - half, high = box.center + half;
+    const auto enters = [&](const Eigen::AlignedBox3d& other) {
+      return (low.array() <= other.max().array()).all() && (other.min().array() <= high.array()).all() &&
+             distance(box, other.center()) < slack + other.diagonal().norm() / 2;
+    };
+    for (int first = 0, block = 0; first <= last && block < static_cast<int>(trees_.size()); first += kBlock, ++block)
+      if (trees_[block].any(enters, [&](int i) { return first + i <= last && is_met(first + i); })) return true;
+    return false;
+  }
+
+ private:
+  std::vector<BoxTree> trees_;
+};
 
 class PeelBodies {
  public:
@@ -30,7 +42,7 @@ class PeelBodies {
   int num_panels() const { return static_cast<int>(standing_.size()); }
   const Hinge& hinge(int h) const { return chain_.hinges[h]; }
   const OrientedBox& standing(int panel) const { return standing_[panel]; }
-  const BoxTree& standing_tree() const { return tree_; }
+  const StandingTrees& standing_trees() const { return trees_; }
   const Pose& pose(int panel) const { return pose_[panel]; }
   // Bodies nearer than that count as touching: what only just passes could not be proven by another's arithmetic.
   double least_gap() const { return air_ / 10; }
@@ -47,7 +59,7 @@ class PeelBodies {
   double sign_, half_side_, half_thickness_, air_;
   std::vector<Pose> pose_;
   std::vector<OrientedBox> standing_;
-  BoxTree tree_;
+  StandingTrees trees_;
 };
 
 }  // namespace plico

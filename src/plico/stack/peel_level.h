@@ -19,7 +19,8 @@ struct PeelEffort {
 // piece that leads to it is proven free (lazy A*: tried when its turn comes, so few are).
 class PeelLevel {
  public:
-  // `step` degrees between states, a divisor of 90; `sample` as in PeelOptions.
+  // `step` degrees between states, a divisor of 90; `sample` above 0: looks every so many degrees
+  // instead of proving.
   PeelLevel(const PeelBodies& bodies, int first, int count, int step, double sample);
 
   // Begins at these angles; false when they were reached before.

@@ -40,16 +40,26 @@ bool is_any_direction(const OrientedBox& a, const OrientedBox& b, const Test& wi
   return false;
 }
 
+// Of the corners, seen from a point.
+std::array<double, 8> shadow(const OrientedBox& box, const Vec3& direction, const Vec3& point) {
+  const double middle = direction.dot(box.center - point);
+  const Vec3 reach = (box.axes.transpose() * direction).cwiseProduct(box.half);
+  const double x = reach.x(), y = reach.y(), z = reach.z();
+  return {middle - x - y - z, middle - x - y + z, middle - x + y - z, middle - x + y + z,
+          middle + x - y - z, middle + x - y + z, middle + x + y - z, middle + x + y + z};
+}
+
 double highest(const OrientedBox& box, const Vec3& direction) {
   return box.center.dot(direction) + (box.axes.transpose() * direction).cwiseAbs().dot(box.half);
 }
 
 // A point of the axis about which panel h + 1 turns there, in the flat frame of panel h: beyond 90 degrees the line in
-// which the panels will touch (R11).
-Vec3 axis_point(const Hinge& hinge, double angle) {
+// which the panels will touch, on the side of the panel at rest (R11).
+Vec3 axis_point(const Hinge& hinge, double angle, bool right_moves) {
   if (std::abs(angle) <= kPi / 2) return hinge.from;
   const Vec3 axis = (hinge.to - hinge.from).normalized();
-  return hinge.from + hinge.roll * Vec3(-axis.y(), axis.x(), std::copysign(1.0, angle));
+  const double before = right_moves ? 1 : -1;
+  return hinge.from + hinge.roll * Vec3(-before * axis.y(), before * axis.x(), std::copysign(1.0, angle));
 }
 
 OpenAngles middle(const OpenAngles& a, const OpenAngles& b) {
@@ -77,9 +87,10 @@ void PeelWindow::place(const OpenAngles& angles, Placed& at) const {
   pose[0] = bodies_.pose(first_);
   for (int i = 0; i < count_; ++i) {
     const Hinge& hinge = bodies_.hinge(first_ + i);
-    at.point[i] = pose[i] * axis_point(hinge, angles[i]);
+    const bool right_moves = hinge.right == first_ + i + 1;
+    at.point[i] = pose[i] * axis_point(hinge, angles[i], right_moves);
     at.axis[i] = pose[i].linear() * (hinge.to - hinge.from).normalized();
-    pose[i + 1] = pose[i] * turn(hinge, angles[i], hinge.right == first_ + i + 1);
+    pose[i + 1] = pose[i] * turn(hinge, angles[i], right_moves);
   }
   at.box.clear();
   for (const Body& mover : movers_) at.box.push_back(placed(mover.local, pose[mover.depth]));
@@ -100,13 +111,14 @@ PeelWindow::Interval PeelWindow::interval(const OpenAngles& from, const OpenAngl
 PeelWindow::Motion PeelWindow::motion(int mover, int below, const Interval& interval) const {
   Motion motion;
   const Placed& at = interval.at;
-  motion.corners = corners_of(at.box[mover]);
+  motion.body = at.box[mover];
+  const std::array<Vec3, 8> corners = corners_of(motion.body);
   for (int i = movers_[mover].depth - 1; i >= below; --i) {
     const double half = interval.half_turn[i];
     if (half == 0) continue;
     double loose = motion.total;
     if (interval.changes_axis[i]) loose += std::sqrt(2.0) * bodies_.hinge(first_ + i).roll;
-    const double length = half * (farthest(motion.corners, at.point[i], at.axis[i]) + loose);
+    const double length = half * (farthest(corners, at.point[i], at.axis[i]) + loose);
     motion.turns[motion.count++] = {at.axis[i], at.point[i], half, plico::sin(half), 1 - plico::cos(half), loose};
     motion.total += length;
   }
@@ -116,25 +128,25 @@ PeelWindow::Motion PeelWindow::motion(int mover, int below, const Interval& inte
 // A turn by at most `half` moves x, seen from its axis, by no more than sin(half) |u.(a x x)| + (1 - cos(half)) |u.x'|
 // along u, where x' is x without its part along the axis. Concave in x, so the corners tell for the whole body.
 double PeelWindow::Motion::against(const Vec3& direction) const {
-  double lowest = std::numeric_limits<double>::infinity();
-  for (const Vec3& corner : corners) {
-    double height = corner.dot(direction);
-    for (int i = 0; i < count; ++i) {
-      const Turning& turn = turns[i];
-      const Vec3 across = direction.cross(turn.axis), x = corner - turn.point;
-      const double aside = x.dot(direction) - x.dot(turn.axis) * turn.axis.dot(direction);
-      height -=
-          turn.sine * std::abs(across.dot(x)) + turn.sag * std::abs(aside) + turn.half * across.norm() * turn.loose;
-    }
-    lowest = std::min(lowest, height);
+  double always = 0;
+  std::array<double, 8> height = shadow(body, direction, Vec3::Zero());
+  for (int i = 0; i < count; ++i) {
+    const Turning& turn = turns[i];
+    const Vec3 across = turn.axis.cross(direction), aside = direction - turn.axis.dot(direction) * turn.axis;
+    const std::array<double, 8> along = shadow(body, across, turn.point), away = shadow(body, aside, turn.point);
+    for (int k = 0; k < 8; ++k) height[k] -= turn.sine * std::abs(along[k]) + turn.sag * std::abs(away[k]);
+    always += turn.half * across.norm() * turn.loose;
   }
-  return lowest;
+  return *std::ranges::min_element(height) - always;
 }
 
 bool PeelWindow::stays_clear(const OrientedBox& mover, const OrientedBox& other, const Motion& motion) const {
   const double least = bodies_.least_gap();
-  return gap(mover, other) > motion.total + least ||
-         is_any_direction(mover, other, [&](const Vec3& d) { return motion.against(d) > highest(other, d) + least; });
+  if (gap(mover, other) > motion.total + least) return true;
+  return is_any_direction(mover, other, [&](const Vec3& d) {
+    const double bound = highest(other, d) + least;
+    return -highest(mover, -d) > bound && motion.against(d) > bound;  // most are told by where the mover is now
+  });
 }
 
 // The hinge keeps the first mover and panel `first` apart.
@@ -145,7 +157,7 @@ bool PeelWindow::is_hit(const Placed& at) const {
     if (gap(at.box[deep], at.box[other]) <= bodies_.least_gap()) return true;
   for (int m = 0; m < static_cast<int>(movers_.size()); ++m) {
     const auto meets = [&](int panel) { return gap(at.box[m], bodies_.standing(panel)) <= bodies_.least_gap(); };
-    if (any_near(bodies_.standing_tree(), at.box[m], bodies_.least_gap(), last_standing(m), meets)) return true;
+    if (bodies_.standing_trees().any_near(at.box[m], bodies_.least_gap(), last_standing(m), meets)) return true;
   }
   return false;
 }
@@ -157,7 +169,7 @@ bool PeelWindow::is_clear(const Interval& interval) const {
   for (int m = 0; m < static_cast<int>(movers_.size()); ++m) {
     const Motion moved = motion(m, 0, interval);
     const auto may_meet = [&](int panel) { return !stays_clear(box[m], bodies_.standing(panel), moved); };
-    if (any_near(bodies_.standing_tree(), box[m], moved.total + bodies_.least_gap(), last_standing(m), may_meet))
+    if (bodies_.standing_trees().any_near(box[m], moved.total + bodies_.least_gap(), last_standing(m), may_meet))
       return false;
   }
   return true;
@@ -205,7 +217,7 @@ std::vector<PeelWindow::Pair> PeelWindow::near_pairs(const Interval& interval) c
       return false;
     };
     const double slack = motion(m, 0, interval).total + bodies_.least_gap();
-    any_near(bodies_.standing_tree(), interval.at.box[m], slack, last_standing(m), add);
+    bodies_.standing_trees().any_near(interval.at.box[m], slack, last_standing(m), add);
   }
   return pairs;
 }

@@ -53,7 +53,7 @@ class PeelWindow {
   struct Motion {
     int count = 0;
     std::array<Turning, kMostOpen> turns;
-    std::array<Vec3, 8> corners;                  // of the body in the middle of the interval
+    OrientedBox body;                             // in the middle of the interval
     double total = 0;                             // that it moves anything of the body by, at most
     double against(const Vec3& direction) const;  // the corners never get lower than this in the direction
   };

@@ -100,9 +100,11 @@ Voxel beside(const Voxel& voxel, Axis direction) {
 VoxelGrid::VoxelGrid(int nx, int ny, int nz) : nx_(nx), ny_(ny), nz_(nz) {
   const double voxels = static_cast<double>(nx) * ny * nz;
   if (nx < 1 || ny < 1 || nz < 1 || voxels > static_cast<double>(kMostVoxels))
-    throw InvalidOption(fmt::format("a grid of {} x {} x {} voxels must have at least 1 and at most {} (one byte each)",
-                                    nx, ny, nz, kMostVoxels),
-                        "ask for fewer cells");
+    throw InvalidOption(
+        fmt::format(
+            "a grid of {} x {} x {} voxels takes {:.3g} GB of memory, must be at most {:.3g} (one byte a voxel)", nx,
+            ny, nz, voxels / 1e9, static_cast<double>(kMostVoxels) / 1e9),
+        "--cells 100");
   solid_.assign(static_cast<std::size_t>(voxels), 0);
 }
 

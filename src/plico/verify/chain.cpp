@@ -64,25 +64,8 @@ bool check_strip(const ChainClaim& claim, const Linkage& linkage, ChainVerdict& 
   return verdict.valid();
 }
 
-// The rigid motion that takes the first panel from the sheet to the shape.
-Pose first_panel(const ChainClaim& claim, double side) {
-  const std::vector<int>& face = claim.sheet.faces[0];
-  const auto flat = [&](int i) {
-    return Vec3(claim.sheet.vertices[face[i]].x(), claim.sheet.vertices[face[i]].y(), 0);
-  };
-  const auto frame = [&](const Vec3& origin, const Vec3& along, const Vec3& across) {
-    Pose pose = Pose::Identity();
-    const Vec3 x = (along - origin) / side, y = (across - origin) / side;
-    pose.linear() << x, y, x.cross(y);
-    pose.translation() = origin;
-    return pose;
-  };
-  const Pose from = frame(flat(0), flat(1), flat(3));
-  return frame(claim.shape[face[0]], claim.shape[face[1]], claim.shape[face[3]]) * from.inverse();
-}
-
 void check_shape(const ChainClaim& claim, const Linkage& linkage, ChainVerdict& verdict) {
-  const Pose start = first_panel(claim, verdict.side);
+  const Pose start = into_shape(claim);
   const std::vector<Pose> poses = folding_map(linkage, goal(linkage));
   for (int p = 0; p < verdict.panels; ++p)
     for (int v : claim.sheet.faces[p]) {
@@ -98,7 +81,7 @@ void check_shape(const ChainClaim& claim, const Linkage& linkage, ChainVerdict& 
 // Every square once, and every side beside another one: the shape is a closed surface of lattice squares.
 void check_surface(const ChainClaim& claim, ChainVerdict& verdict) {
   const double half = verdict.side / 2;
-  const Pose lattice = first_panel(claim, verdict.side).inverse();
+  const Pose lattice = into_shape(claim).inverse();
   std::map<Cell, int> square_at, sides_at;
   const Vec3 origin = lattice * claim.shape[claim.sheet.faces[0][0]];
   for (int p = 0; p < verdict.panels; ++p) {
@@ -164,6 +147,23 @@ void check_box(const ChainClaim& claim, ChainVerdict& verdict) {
 }
 
 }  // namespace
+
+Pose into_shape(const ChainClaim& claim) {
+  const std::vector<int>& face = claim.sheet.faces[0];
+  const auto flat = [&](int i) {
+    return Vec3(claim.sheet.vertices[face[i]].x(), claim.sheet.vertices[face[i]].y(), 0);
+  };
+  const double side = (flat(1) - flat(0)).norm();
+  const auto frame = [&](const Vec3& origin, const Vec3& along, const Vec3& across) {
+    Pose pose = Pose::Identity();
+    const Vec3 x = (along - origin) / side, y = (across - origin) / side;
+    pose.linear() << x, y, x.cross(y);
+    pose.translation() = origin;
+    return pose;
+  };
+  const Pose from = frame(flat(0), flat(1), flat(3));
+  return frame(claim.shape[face[0]], claim.shape[face[1]], claim.shape[face[3]]) * from.inverse();
+}
 
 Linkage chain_linkage_of(const ChainClaim& claim) {
   return thick_hinged(make_linkage(claim.sheet, {}, 0), claim.thickness, claim.trim);

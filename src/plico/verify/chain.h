@@ -42,6 +42,9 @@ struct ChainVerdict {
 // Never throws for a wrong chain: it says what is wrong. O(n log n).
 ChainVerdict verify_chain(const ChainClaim& claim);
 
+// The rigid motion that takes the first panel from the sheet to the shape. The claim must have a panel.
+Pose into_shape(const ChainClaim& claim);
+
 // The linkage that the claim speaks of: panel 0 at rest, thick hinges. Throws InvalidOption or InvalidInput.
 Linkage chain_linkage_of(const ChainClaim& claim);
 

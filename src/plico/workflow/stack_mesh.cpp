@@ -83,10 +83,11 @@ class StripBuilder {
   double side_;
 };
 
-ChainClaim claim_of(const VoxelMesh& voxels, const Stack& stack, double thickness) {
+ChainClaim claim_of(const VoxelMesh& voxels, const Stack& stack, const StackMeshOptions& options) {
   ChainClaim claim;
   StripBuilder(voxels, stack, claim).build();
-  claim.thickness = claim.trim = thickness * voxels.solid.side;
+  claim.thickness = options.thickness * voxels.solid.side;
+  claim.trim = options.trim > 0 ? options.trim * voxels.solid.side : claim.thickness;
   claim.stack = fold_angles(stack.folds);
   claim.width = stack.box.width;
   claim.depth = stack.box.depth;
@@ -110,12 +111,31 @@ bool is_closed(const SquareGraph& graph, const std::vector<int>& walk) {
   return std::ranges::count(graph.neighbours[walk.front()], walk.back()) > 0;
 }
 
+PolygonSoup box_around_origin(const Vec3& half) {
+  PolygonSoup box;
+  for (double z : {-half.z(), half.z()})
+    box.points.insert(
+        box.points.end(),
+        {{-half.x(), -half.y(), z}, {half.x(), -half.y(), z}, {half.x(), half.y(), z}, {-half.x(), half.y(), z}});
+  box.add_face({3, 2, 1, 0});
+  box.add_face({4, 5, 6, 7});
+  for (int i = 0; i < 4; ++i) box.add_face({i, (i + 1) % 4, 4 + (i + 1) % 4, 4 + i});
+  return box;
+}
+
 }  // namespace
 
-StackedChain stacked_chain(const VoxelMesh& voxels, CompactResult found, double thickness) {
+void check(const StackMeshOptions& options) {
+  const double t = options.thickness;
+  require(t > 0 && t < 0.5, "thickness", t, "above 0 and below 0.5 voxel sides");
+  require(options.trim == 0 || (options.trim >= t / 2 && options.trim <= t), "trim", options.trim,
+          fmt::format("in [thickness / 2, thickness] = [{:.6g}, {:.6g}] voxel sides", t / 2, t));
+}
+
+StackedChain stacked_chain(const VoxelMesh& voxels, CompactResult found, const StackMeshOptions& options) {
   StackedChain chain;
   chain.found = std::move(found);
-  chain.claim = claim_of(voxels, chain.found.best, thickness);
+  chain.claim = claim_of(voxels, chain.found.best, options);
   chain.verdict = verify_chain(chain.claim);
   chain.compactness = chain.verdict.size_sum / shape_size(voxels.shell);
   chain.volume_ratio = chain.verdict.volume / static_cast<double>(voxels.solid.grid.count());
@@ -126,8 +146,7 @@ StackedChain stacked_chain(const VoxelMesh& voxels, CompactResult found, double 
 
 StackedChain stack_voxels(const VoxelMesh& voxels, const std::vector<int>& cycle, const StackMeshOptions& options,
                           const Run& run) {
-  require(options.thickness > 0 && options.thickness < 0.5, "thickness", options.thickness,
-          "above 0 and below 0.5 voxel sides");
+  check(options);
   const SquareGraph graph = graph_of(voxels.shell);
   const StackBox base =
       options.width > 0 ? StackBox{options.width, options.depth, 0} : best_base(graph.size(), options.thickness);
@@ -137,7 +156,7 @@ StackedChain stack_voxels(const VoxelMesh& voxels, const std::vector<int>& cycle
                            .exchanges = options.exchanges,
                            .reach = options.reach};
   const bool may_be_cut = !options.as_it_runs && is_closed(graph, cycle);
-  return stacked_chain(voxels, compact_stack(graph, cycle, may_be_cut, how, run), options.thickness);
+  return stacked_chain(voxels, compact_stack(graph, cycle, may_be_cut, how, run), options);
 }
 
 FoldFile chain_file(const ChainClaim& claim) {
@@ -193,24 +212,33 @@ std::string chain_table(const VoxelMesh& voxels, const Stack& stack, const Chain
   return table;
 }
 
-PolygonSoup stack_solid(const ChainClaim& claim) {
+PlacedSolid chain_solid(const ChainClaim& claim, ChainSolid what, double side) {
   const Linkage linkage = chain_linkage_of(claim);
-  const Configuration config = Eigen::Map<const Configuration>(claim.stack.data(), linkage.num_hinges());
-  const std::vector<Pose> poses = folding_map(linkage, config);
-  const Vec3 half(0, 0, (1 - kPrintGap) * linkage.thickness / 2);
-  PolygonSoup soup;
-  for (int p = 0; p < linkage.num_panels(); ++p) {
-    const int first = soup.num_points();
-    for (const Vec3& offset : {Vec3(-half), half})
-      for (const Vec3& corner : linkage.panels[p]) soup.points.push_back(poses[p] * Vec3(corner + offset));
-    soup.add_face({first + 3, first + 2, first + 1, first});
-    soup.add_face({first + 4, first + 5, first + 6, first + 7});
-    for (int i = 0; i < 4; ++i) {
-      const int next = (i + 1) % 4;
-      soup.add_face({first + i, first + next, first + 4 + next, first + 4 + i});
+  const std::vector<Vec3>& first = linkage.panels[0];
+  const double scale = side / ((first[1] - first[0]).norm() + 2 * claim.trim);
+  const double gap = what == ChainSolid::Panel ? 0 : kPrintGap;
+  const Vec3 half(side / 2 - scale * claim.trim, side / 2 - scale * claim.trim,
+                  scale * (1 - gap) * claim.thickness / 2);
+  PlacedSolid solid{"panel", box_around_origin(half), {}};
+  if (what == ChainSolid::Panel) {
+    solid.places = {Pose::Identity()};
+  } else {
+    const bool is_stack = what == ChainSolid::Stack;
+    solid.name = is_stack ? "stack" : "shape";
+    const Configuration stack = Eigen::Map<const Configuration>(claim.stack.data(), linkage.num_hinges());
+    const Pose start = is_stack ? Pose::Identity() : into_shape(claim);
+    const std::vector<Pose> poses = folding_map(linkage, is_stack ? stack : goal(linkage));
+    for (int p = 0; p < linkage.num_panels(); ++p) {
+      const Vec3 centre = (linkage.panels[p][0] + linkage.panels[p][2]) / 2;
+      Pose place = start * poses[p] * Eigen::Translation3d(centre);
+      place.translation() *= scale;
+      solid.places.push_back(place);
     }
   }
-  return soup;
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::max());
+  for (const Pose& place : solid.places) low = low.cwiseMin(place.translation() - place.linear().cwiseAbs() * half);
+  for (Pose& place : solid.places) place.translation() -= low;
+  return solid;
 }
 
 }  // namespace plico

@@ -107,7 +107,7 @@ class Unpacker {
     for (const CompactResult& way : ways) {
       run_.report("unpacking", tries_, chains_);
       if (pile_sign(way.best.folds) == 0) continue;
-      const StackedChain chain = stacked_chain(voxels_, way, stacking_.thickness);
+      const StackedChain chain = stacked_chain(voxels_, way, stacking_);
       if (!chain.verdict.valid()) continue;
       const Linkage linkage = chain_linkage_of(chain.claim);
       Peel peeled;

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
+#include <utility>
 
 #include "plico/base/error.h"
 #include "plico/stack/decide_walk.h"
@@ -29,12 +31,38 @@ VoxelGrid behind(const VoxelGrid& all, const VoxelShell& piece) {
   return grid;
 }
 
-void refine(Voxelization& solid, int factor) {
-  solid.grid = refined(solid.grid, factor);
-  const long each = static_cast<long>(factor) * factor * factor;
-  solid.side /= factor;
-  solid.touched *= each;
-  solid.filled *= each;
+// Sides of polygons without another polygon beside them.
+long open_sides(const PolygonSoup& soup) {
+  std::vector<std::pair<int, int>> sides;
+  for (int f = 0; f < soup.num_faces(); ++f) {
+    const std::span<const int> face = soup.face(f);
+    for (std::size_t i = 0; i < face.size(); ++i)
+      sides.emplace_back(std::minmax({face[i], face[(i + 1) % face.size()]}));
+  }
+  std::sort(sides.begin(), sides.end());
+  long open = 0;
+  for (std::size_t i = 0; i < sides.size();) {
+    const auto end = std::upper_bound(sides.begin() + static_cast<std::ptrdiff_t>(i), sides.end(), sides[i]);
+    open += end - sides.begin() - static_cast<std::ptrdiff_t>(i) == 1;
+    i = static_cast<std::size_t>(end - sides.begin());
+  }
+  return open;
+}
+
+void note_holes(long open, VoxelPieces& all) {
+  const long enclosed = all.solid.filled - all.solid.touched;
+  if (open > 0 && enclosed > 0)
+    all.notes.push_back(
+        fmt::format("the mesh has {} open edges; holes smaller than a voxel are closed, and {} voxels are enclosed",
+                    open, enclosed));
+  else if (open > 0)
+    all.notes.push_back(fmt::format(
+        "the mesh has {} open edges; what is behind holes larger than a voxel is outside, and no voxel is enclosed",
+        open));
+  else if (enclosed == 0)
+    all.notes.push_back(
+        "no voxel is wholly inside of the mesh: it is hardly thicker than a voxel, and detail is lost; try more "
+        "--cells");
 }
 
 // Where the search gave up, an answer by SAT: a cycle, or the proof that there is none, and then a path.
@@ -55,24 +83,45 @@ constexpr long kTriesBeforeDeciding = 200'000;
 
 }  // namespace
 
+void refine_voxels(Voxelization& solid, int factor) {
+  if (factor == 1) return;
+  solid.grid = refined(solid.grid, factor);
+  const long each = static_cast<long>(factor) * factor * factor;
+  solid.side /= factor;
+  solid.touched *= each;
+  solid.filled *= each;
+}
+
+VoxelPieces voxel_pieces(const PolygonSoup& soup, const Resolution& resolution, Pairing pairing) {
+  VoxelPieces all;
+  all.pairing = pairing;
+  all.solid = voxelize(soup, cells_of(soup, resolution));
+  refine_voxels(all.solid, resolution.refine);
+  all.pieces = pieces_of(shell_of(all.solid.grid, pairing));
+  note_holes(open_sides(soup), all);
+  return all;
+}
+
+VoxelMesh piece_of(const VoxelPieces& all, std::size_t which) {
+  VoxelMesh piece{all.solid, {}, all.pairing, {}, all.notes};
+  piece.solid.grid = behind(all.solid.grid, all.pieces[which]);
+  piece.shell = shell_of(piece.solid.grid, all.pairing);
+  return piece;
+}
+
+VoxelMesh largest_piece(VoxelPieces all) {
+  if (all.pieces.size() == 1)
+    return {std::move(all.solid), std::move(all.pieces[0]), all.pairing, {}, std::move(all.notes)};
+  VoxelMesh largest = piece_of(all, 0);
+  for (std::size_t i = 1; i < all.pieces.size(); ++i) largest.other_pieces.push_back(all.pieces[i].size());
+  largest.notes.insert(largest.notes.begin(),
+                       fmt::format("the voxels make {} pieces; the largest is taken, of {} squares", all.pieces.size(),
+                                   all.pieces[0].size()));
+  return largest;
+}
+
 VoxelMesh voxel_mesh(const PolygonSoup& soup, const Resolution& resolution, Pairing pairing) {
-  VoxelMesh result;
-  result.pairing = pairing;
-  result.solid = voxelize(soup, cells_of(soup, resolution));
-  refine(result.solid, resolution.refine);
-  const std::vector<VoxelShell> pieces = pieces_of(shell_of(result.solid.grid, pairing));
-  for (std::size_t i = 1; i < pieces.size(); ++i) result.other_pieces.push_back(pieces[i].size());
-  if (pieces.size() > 1) {
-    result.solid.grid = behind(result.solid.grid, pieces.front());
-    result.shell = shell_of(result.solid.grid, pairing);
-    result.notes.push_back(
-        fmt::format("the voxels make {} pieces; the largest is taken, of {} squares", pieces.size(), pieces[0].size()));
-  } else {
-    result.shell = pieces.front();
-  }
-  if (result.solid.filled == result.solid.touched)
-    result.notes.push_back("the surface encloses no voxel: it is open, or as thin as a voxel");
-  return result;
+  return largest_piece(voxel_pieces(soup, resolution, pairing));
 }
 
 JudgedCycle judged_cycle(const VoxelMesh& voxels, const CycleOptions& options, const Run& run) {

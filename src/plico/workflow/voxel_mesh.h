@@ -21,6 +21,14 @@ struct Resolution {
   int refine = 1;    // then every voxel is cut into refine x refine x refine; with 2 a cycle is certain
 };
 
+// The voxels of a surface, and their boundary piece by piece, the largest first.
+struct VoxelPieces {
+  Voxelization solid;
+  std::vector<VoxelShell> pieces;  // at least one
+  Pairing pairing = Pairing::Solid;
+  std::vector<std::string> notes;  // what the voxels changed about the shape; sentences
+};
+
 struct VoxelMesh {
   Voxelization solid;  // without what the pieces left out enclose
   VoxelShell shell;    // the largest piece
@@ -29,8 +37,18 @@ struct VoxelMesh {
   std::vector<std::string> notes;  // what the voxels changed about the shape; sentences
 };
 
-// The voxels that the surface touches and encloses, and the largest piece of their boundary. Throws as voxelize(), and
-// InvalidOption unless one resolution is given.
+// The voxels that the surface touches and encloses. Throws as voxelize(), and InvalidOption unless one resolution is
+// given.
+VoxelPieces voxel_pieces(const PolygonSoup& soup, const Resolution& resolution, Pairing pairing = Pairing::Solid);
+
+// Every voxel cut into factor x factor x factor. Throws InvalidOption as refined() does.
+void refine_voxels(Voxelization& solid, int factor);
+
+// One piece by itself; it says nothing of the others. O(voxels).
+VoxelMesh piece_of(const VoxelPieces& all, std::size_t which);
+
+// The largest piece, and how many squares the others have. O(voxels).
+VoxelMesh largest_piece(VoxelPieces all);
 VoxelMesh voxel_mesh(const PolygonSoup& soup, const Resolution& resolution, Pairing pairing = Pairing::Solid);
 
 // The search for a cycle, and what the judge says about it (no problem, and not judged, when none was found). Of at

@@ -23,7 +23,8 @@ struct Count {
   bool operator==(const Count&) const = default;
 };
 
-Count count_all(const VoxelShell& shell) {
+// Walks begin at the first `starts` squares; every cycle passes through the first.
+Count count_all(const VoxelShell& shell, int starts) {
   Count count;
   std::vector<char> seen(shell.size(), 0);
   int start = 0;
@@ -41,7 +42,7 @@ Count count_all(const VoxelShell& shell) {
       seen[next] = 0;
     }
   };
-  for (start = 0; start < shell.size(); ++start) {
+  for (start = 0; start < starts; ++start) {
     seen[start] = 1;
     go(start, 1);
     seen[start] = 0;
@@ -50,12 +51,21 @@ Count count_all(const VoxelShell& shell) {
   return count;
 }
 
+Count count_all(const VoxelShell& shell) { return count_all(shell, shell.size()); }
+
 TEST(VoxelShell, SmallSolidsHaveTheCyclesAndPathsThatExhaustionFound) {
   EXPECT_EQ(count_all(shell_of(voxels({{0, 0, 0}}))), (Count{16, 240}));
   EXPECT_EQ(count_all(shell_of(voxels({{0, 0, 0}, {1, 0, 0}}))), (Count{52, 2432}));
   EXPECT_EQ(count_all(shell_of(voxels({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}))), (Count{180, 17792}));
   EXPECT_EQ(count_all(shell_of(voxels({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}))), (Count{168, 17108}));
   EXPECT_EQ(count_all(shell_of(voxels({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}))), (Count{396, 51632}));
+  EXPECT_EQ(count_all(shell_of(voxels({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}))), (Count{644, 111728}));
+}
+
+TEST(VoxelShell, TheCubeOfEightHasTheCyclesThatExhaustionFound) {
+  VoxelGrid grid(2, 2, 2);
+  for (int i = 0; i < 8; ++i) grid.fill({i & 1, i >> 1 & 1, i >> 2});
+  EXPECT_EQ(count_all(shell_of(grid), 1).cycles, 6020);
 }
 
 TEST(VoxelShell, ItsSurfaceIsAClosedManifoldWithEitherPairing) {

@@ -16,27 +16,29 @@ OrientedBox random_box(Rng& rng) {
   return box;
 }
 
-TEST(StandingTree, AsksEveryBoxThatIsNearAndHasALowNumber) {
+constexpr int kBoxes = 2 * StandingTrees::kBlock + 30;
+
+TEST(StandingTrees, AsksEveryBoxThatIsNearAndHasALowNumber) {
   Rng rng(5);
   std::vector<OrientedBox> boxes;
-  for (int i = 0; i < 60; ++i) boxes.push_back(random_box(rng));
-  const BoxTree tree = tree_around(boxes);
+  for (int i = 0; i < kBoxes; ++i) boxes.push_back(random_box(rng));
+  const StandingTrees trees(boxes);
   for (int i = 0; i < 100; ++i) {
     OrientedBox box = random_box(rng);
     box.axes = rotation(Vec3(1, 2, 2) / 3, rng.uniform());
     const double slack = rng.uniform();
-    const int last = rng.below(60);
+    const int last = rng.below(kBoxes);
     std::vector<int> asked(boxes.size(), 0);
-    any_near(tree, box, slack, last, [&](int b) {
+    trees.any_near(box, slack, last, [&](int b) {
       ++asked[b];
       return false;
     });
-    for (int b = 0; b < 60; ++b) {
+    for (int b = 0; b < kBoxes; ++b) {
       EXPECT_LE(asked[b], b <= last);
       for (const Vec3& corner : corners_of(box))
         EXPECT_TRUE(asked[b] || b > last || distance(boxes[b], corner) >= slack);
     }
-    EXPECT_EQ(any_near(tree, box, slack, last, [](int) { return true; }), asked != std::vector<int>(60, 0));
+    EXPECT_EQ(trees.any_near(box, slack, last, [](int) { return true; }), asked != std::vector<int>(kBoxes, 0));
   }
 }
 

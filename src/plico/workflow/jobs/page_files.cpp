@@ -7,16 +7,14 @@
 #include "plico/io/page/pdf.h"
 #include "plico/io/page/svg.h"
 #include "plico/io/text/file.h"
+
 namespace plico::jobs {
-namespace {
 
-std::string page_path(const std::string& path, std::size_t page, std::size_t num_pages) {
-  if (num_pages == 1) return path;
+std::string numbered_path(const std::string& path, std::size_t which, std::size_t of) {
+  if (of == 1) return path;
   const std::size_t dot = path.size() - extension(path).size() - 1;
-  return fmt::format("{}-{}{}", path.substr(0, dot), page + 1, path.substr(dot));
+  return fmt::format("{}-{}{}", path.substr(0, dot), which + 1, path.substr(dot));
 }
-
-}  // namespace
 
 void write_pages(Session& session, const std::string& path, const std::vector<Drawing>& pages,
                  const std::string& title) {
@@ -26,7 +24,7 @@ void write_pages(Session& session, const std::string& path, const std::vector<Dr
     return;
   }
   for (std::size_t i = 0; i < pages.size(); ++i)
-    session.write(page_path(path, i, pages.size()), kind == "svg" ? write_svg(pages[i]) : write_dxf(pages[i]));
+    session.write(numbered_path(path, i, pages.size()), kind == "svg" ? write_svg(pages[i]) : write_dxf(pages[i]));
 }
 
 }  // namespace plico::jobs

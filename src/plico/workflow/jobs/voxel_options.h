@@ -16,6 +16,6 @@ struct VoxelArgs {
 // Adds the mesh and --cells, --size, --squares, --refine, --pair.
 Job& add_voxel_options(Job& job, VoxelArgs& args);
 
-VoxelMesh read_voxels(const VoxelArgs& args, Session& session);
+VoxelPieces read_voxels(const VoxelArgs& args, Session& session);
 
 }  // namespace plico::jobs

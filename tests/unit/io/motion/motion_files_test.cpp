@@ -5,9 +5,11 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
+#include <sstream>
 
 #include "linkage_samples.h"
 #include "plico/base/error.h"
@@ -339,6 +341,62 @@ TEST(Mjcf, LoopsAreHeldAtBothEndsOfTheirHinge) {
   for (std::size_t at = 0; (at = text.find("<connect", at)) != std::string::npos; ++at) ++connects;
   EXPECT_EQ(connects, 2 * linkage.loop_hinges.size());
   EXPECT_THAT(text, HasSubstr("<exclude body1=\"panel_0\" body2=\"panel_3\"/>"));  // they share the middle
+}
+
+// Where the bodies of an MJCF file are at one of its keyframes, read from its text alone. Joints have the order of the
+// bodies that hold them.
+class MjcfPlayer {
+ public:
+  explicit MjcfPlayer(const std::string& text) { EXPECT_TRUE(document_.load_string(text.c_str())); }
+
+  std::map<std::string, Pose> poses(std::size_t keyframe) {
+    pugi::xml_node key = root().child("keyframe").child("key");
+    while (keyframe-- > 0) key = key.next_sibling("key");
+    std::istringstream angles(key.attribute("qpos").value());
+    angles_.assign(std::istream_iterator<double>(angles), {});
+    next_ = 0;
+    poses_.clear();
+    for (const pugi::xml_node& body : root().child("worldbody").children("body")) place(body, Pose::Identity());
+    EXPECT_EQ(next_, angles_.size());
+    return poses_;
+  }
+
+ private:
+  pugi::xml_node root() const { return document_.child("mujoco"); }
+  static Vec3 vector(const pugi::xml_attribute& text) {
+    Vec3 v = Vec3::Zero();
+    EXPECT_EQ(std::sscanf(text.value(), "%lf %lf %lf", &v.x(), &v.y(), &v.z()), 3);
+    return v;
+  }
+  void place(const pugi::xml_node& body, Pose pose) {
+    pose.translate(vector(body.attribute("pos")));
+    if (const pugi::xml_node joint = body.child("joint"))
+      pose.rotate(Eigen::AngleAxisd(angles_.at(next_++), vector(joint.attribute("axis"))));
+    poses_[body.attribute("name").value()] = pose;
+    for (const pugi::xml_node& child : body.children("body")) place(child, pose);
+  }
+
+  pugi::xml_document document_;
+  std::vector<double> angles_;
+  std::size_t next_ = 0;
+  std::map<std::string, Pose> poses_;
+};
+
+TEST(Mjcf, PanelsOfAThickChainAreWhereTheFoldingMapHasThem) {
+  const ThickChain chain = thick_chain();
+  const Linkage plain = plain_hinged(chain.linkage);
+  MjcfPlayer player(write_mjcf(plain, plain_path(chain.path), {.metres_per_unit = 1}).text);
+  const FoldingPath path = plain_path(chain.path);
+  for (std::size_t k = 0; k < path.waypoints.size(); ++k) {
+    const std::map<std::string, Pose> bodies = player.poses(k);
+    const std::vector<Pose> poses = folding_map(chain.linkage, chain.path.at(path.waypoints[k].time));
+    for (int p = 1; p < chain.linkage.num_panels(); ++p) {
+      const Vec3 origin = plain.hinges[plain.parent_hinge[p]].from;
+      const Pose& body = bodies.at("panel_" + std::to_string(p));
+      EXPECT_LT((body.linear() - poses[p].linear()).norm(), 1e-5) << k << " " << p;
+      EXPECT_LT((body.translation() - poses[p] * origin).norm(), 1e-5) << k << " " << p;
+    }
+  }
 }
 
 TEST(Mjcf, KeyframesAreThePath) {
