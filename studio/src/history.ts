@@ -7,11 +7,11 @@ export interface Step {
   inverse: Edit;
 }
 
-export class History {
-  private steps: Step[] = [];
+export class History<S extends { name: string }> {
+  private steps: S[] = [];
   private at = 0; // steps before it are done
 
-  add(step: Step): void {
+  add(step: S): void {
     this.steps.splice(this.at, Infinity, step);
     this.at = this.steps.length;
   }
@@ -19,10 +19,10 @@ export class History {
     this.steps = [];
     this.at = 0;
   }
-  get undoable(): Step | undefined {
+  get undoable(): S | undefined {
     return this.steps[this.at - 1];
   }
-  get redoable(): Step | undefined {
+  get redoable(): S | undefined {
     return this.steps[this.at];
   }
   undone(): void {
@@ -30,9 +30,5 @@ export class History {
   }
   redone(): void {
     ++this.at;
-  }
-  /** The edits that lead from the first state to this one, as `plico edit` reads them. */
-  edits(): Edit[] {
-    return this.steps.slice(0, this.at).map((step) => step.edit);
   }
 }

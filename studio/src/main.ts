@@ -4,6 +4,7 @@ import type { Edit, Progress } from './core/protocol';
 import { FoldPanel } from './panels/fold_panel';
 import { JobsPanel } from './panels/jobs_panel';
 import { PagesPanel } from './panels/pages_panel';
+import { PatternPanel } from './panels/pattern_panel';
 import { Session } from './session';
 import { kept } from './store';
 import { byId, bytesOf, colors } from './page';
@@ -11,14 +12,16 @@ import { SheetView } from './views/sheet_view';
 import { SpaceView } from './views/space_view';
 import type { Shape } from './views/shape';
 
-type Tab = 'net' | 'fold' | 'pages' | 'jobs';
-const kTabs: Tab[] = ['net', 'fold', 'pages', 'jobs'];
+type Tab = 'net' | 'fold' | 'pages' | 'pattern' | 'jobs';
+const kTabs: Tab[] = ['net', 'fold', 'pages', 'pattern', 'jobs'];
+const kWithoutModel: Tab[] = ['pattern', 'jobs']; // need no shape
 const kLargestFile = 80_000_000; // bytes: no kind of file holds 5 million faces in less
+const kHint = 'point at an edge in either picture: a click cuts or joins it';
 const kSamples = ['bird', 'dinosaur', 'fish', 'dog', 'torus', 'truncated-icosahedron'];
 
 declare global {
   interface Window {
-    studio: { session: Session; tab: (tab: Tab) => void };
+    studio: { session: Session; tab: (tab: Tab) => void; pattern: PatternPanel };
   }
 }
 
@@ -29,6 +32,7 @@ class Studio {
   private readonly foldPanel: FoldPanel;
   private readonly pagesPanel: PagesPanel;
   private readonly jobsPanel: JobsPanel;
+  readonly patternPanel: PatternPanel;
   private tab: Tab = 'net';
   private corner = -1; // where the keys stand on the net
   private asked = 0;
@@ -44,6 +48,7 @@ class Studio {
     this.foldPanel = new FoldPanel(this.session, this.space, (work) => this.guarded(work), (p) => this.progress(p));
     this.pagesPanel = new PagesPanel(this.session, (work) => this.guarded(work));
     this.jobsPanel = new JobsPanel(this.session, (work) => this.guarded(work), (p) => this.progress(p), (name, bytes) => this.openMade(name, bytes));
+    this.patternPanel = new PatternPanel(this.session, (work) => this.guarded(work), (text) => this.say(text), (name, bytes, job) => this.toTools(name, bytes, job));
     this.listen();
   }
 
@@ -85,6 +90,10 @@ class Studio {
   }
   private async openFile(file: File | undefined): Promise<void> {
     if (!file) return;
+    if (file.name.toLowerCase().endsWith('.cp')) {
+      this.show('pattern');
+      return this.patternPanel.open(file);
+    }
     await this.guarded(async () => {
       const { name, size } = file;
       this.say(`opening ${name} …`);
@@ -98,6 +107,10 @@ class Studio {
     await this.open(name, bytes);
     if (this.session.shape !== before) this.show('net');
   }
+  private async toTools(name: string, bytes: Uint8Array, job: string): Promise<void> {
+    this.show('jobs');
+    await this.guarded(() => this.jobsPanel.give(name, bytes, job));
+  }
   private openSample(name: string): Promise<void> {
     return this.guarded(async () => {
       const made = await this.session.job('sample', [['name', name], ['output', `${name}.obj`]], {});
@@ -110,11 +123,12 @@ class Studio {
     byId('name').textContent = shape.model.name;
     document.title = `${shape.model.name} · Plico studio`;
     this.corner = -1;
+    byId('hint').textContent = kHint;
     this.sheet.show(shape);
     requestAnimationFrame(() => this.foldPanel.newModel(shape)); // the net is drawn first, and no frame takes long
     this.pagesPanel.newModel();
     this.jobsPanel.newModel();
-    this.show(this.tab === 'pages' ? 'net' : this.tab);
+    this.show(this.tab === 'pages' || this.tab === 'pattern' ? 'net' : this.tab);
     this.words(shape);
     const folds = shape.model.faces;
     this.say([`${folds} faces`, ...notes].join(' · '));
@@ -128,12 +142,15 @@ class Studio {
     this.words(shape);
   }
   private words(shape: Shape): void {
+    this.steps();
     const { valid, parts, overlaps, defects } = shape.snapshot.verdict;
     const badge = byId('verdict');
     badge.dataset['status'] = valid ? 'good' : 'bad';
     const inParts = parts === 1 ? 'one net' : `${parts} parts`;
     badge.textContent = valid ? `${inParts}, verified` : overlaps ? `${overlaps} overlaps` : (defects[0] ?? 'not a net');
-    const { undoable, redoable } = this.session.history;
+  }
+  private steps(): void {
+    const { undoable, redoable } = this.tab === 'pattern' ? this.patternPanel.steps : this.session.history;
     for (const [id, step] of [['undo', undoable], ['redo', redoable]] as const) {
       const button = byId<HTMLButtonElement>(id);
       button.disabled = !step;
@@ -148,7 +165,7 @@ class Studio {
     this.sheet.preview(undefined);
     this.space.point(edge);
     const ticket = ++this.asked;
-    byId('hint').textContent = '';
+    byId('hint').textContent = edge < 0 ? kHint : '';
     if (edge < 0 || this.tab !== 'net' || this.session.busy) return;
     const edit = await this.session.editFor(edge);
     if (ticket !== this.asked) return;
@@ -188,9 +205,11 @@ class Studio {
   }
 
   private undo(): Promise<void> {
+    if (this.tab === 'pattern') return Promise.resolve(this.patternPanel.undo());
     return this.guarded(async () => this.say(`undone: ${(await this.session.undo()) ?? 'nothing'}`));
   }
   private redo(): Promise<void> {
+    if (this.tab === 'pattern') return Promise.resolve(this.patternPanel.redo());
     return this.guarded(async () => this.say(`done again: ${(await this.session.redo()) ?? 'nothing'}`));
   }
   private heal(): Promise<void> {
@@ -203,6 +222,7 @@ class Studio {
   }
 
   show(tab: Tab): void {
+    if (tab !== this.tab && byId('status').dataset['kind'] === 'bad') this.say(''); // it was about another screen
     this.tab = tab;
     document.body.dataset['tab'] = tab;
     const open = this.session.shape !== undefined;
@@ -211,20 +231,24 @@ class Studio {
       button.setAttribute('aria-selected', String(t === tab));
       button.tabIndex = t === tab ? 0 : -1;
     }
-    byId('start').hidden = open || tab === 'jobs';
-    byId('space-view').hidden = byId('sheet-view').hidden = !open || tab === 'pages' || tab === 'jobs';
+    byId('start').hidden = open || kWithoutModel.includes(tab);
+    byId('space-view').hidden = !open || !['net', 'fold'].includes(tab);
+    byId('sheet-view').hidden = !open || !['net', 'fold'].includes(tab);
     byId('panel-net').hidden = tab !== 'net';
     byId('panel-fold').hidden = tab !== 'fold';
     byId('panel-pages').hidden = !open || tab !== 'pages';
+    byId('panel-pattern').hidden = tab !== 'pattern';
     byId('panel-jobs').hidden = tab !== 'jobs';
+    this.steps();
     if (tab === 'jobs') void this.guarded(() => this.jobsPanel.shown());
+    if (tab === 'pattern') void this.patternPanel.shown();
     if (!open) return;
     this.foldPanel.shown(tab === 'fold');
     if (tab === 'pages') void this.pagesPanel.shown();
   }
 
   private showStart(): void {
-    for (const id of ['space-view', 'sheet-view', 'panel-pages', 'panel-jobs']) byId(id).hidden = true;
+    for (const id of ['space-view', 'sheet-view', 'panel-pages', 'panel-pattern', 'panel-jobs']) byId(id).hidden = true;
     byId('start').hidden = false;
     this.foldPanel.shown(false);
     byId('file-start').focus();
@@ -235,9 +259,10 @@ class Studio {
       byId<HTMLInputElement>(id).addEventListener('change', (e) => void this.openFile((e.target as HTMLInputElement).files?.[0]));
     const choice = byId<HTMLSelectElement>('sample');
     for (const name of kSamples) {
-      choice.append(new Option(name, name));
+      const words = name.replaceAll('-', ' ');
+      choice.append(new Option(words, name));
       const button = document.createElement('button');
-      button.textContent = name;
+      button.textContent = words;
       button.addEventListener('click', () => void this.openSample(name));
       byId('samples').append(button);
     }
@@ -246,6 +271,7 @@ class Studio {
       choice.value = '';
     });
     const on = (id: string, action: () => unknown): void => byId(id).addEventListener('click', () => void action());
+    on('start-pattern', () => this.show('pattern'));
     on('home', () => this.showStart());
     on('undo', () => this.undo());
     on('redo', () => this.redo());
@@ -274,13 +300,14 @@ class Studio {
     }
     if (event.altKey || ['INPUT', 'SELECT', 'SUMMARY'].includes(target.tagName) || byId<HTMLDialogElement>('help').open) return;
     const handled =
-      target.id === 'sheet' ? this.sheetKey(event) : target.id === 'space' ? this.spaceKey(event) :
+      target.id === 'sheet' ? this.sheetKey(event) : target.id === 'space' && this.spaceKey(event) ? true :
+      target.id === 'pattern' ? this.patternPanel.key(event) :
       target.getAttribute('role') === 'tab' ? this.tabKey(event) : false;
     if (handled || this.anyKey(event, target.tagName === 'BUTTON')) event.preventDefault();
   }
   private anyKey(event: KeyboardEvent, onButton: boolean): boolean {
     const actions: Record<string, () => unknown> = {
-      '1': () => this.show('net'), '2': () => this.show('fold'), '3': () => this.show('pages'), '4': () => this.show('jobs'),
+      ...Object.fromEntries(kTabs.map((tab, i) => [String(i + 1), () => this.show(tab)])),
       '?': () => byId<HTMLDialogElement>('help').showModal(), Escape: () => this.session.stop(),
     };
     if (this.tab === 'fold')
@@ -345,7 +372,7 @@ async function start(): Promise<void> {
     const { textContent: text, dataset } = byId('wasm');
     const packed = { text: text!.trim(), packedBytes: Number(dataset['packed']), bytes: Number(dataset['bytes']) };
     const studio = new Studio(new Core(byId('worker').textContent!, packed));
-    window.studio = { session: studio.session, tab: (tab) => studio.show(tab) };
+    window.studio = { session: studio.session, tab: (tab) => studio.show(tab), pattern: studio.patternPanel };
     await studio.begin();
   } catch (error) {
     byId('status').textContent = `this browser cannot run the studio: ${String(error)}`;

@@ -1,7 +1,7 @@
 // The document on the page: the model in the worker, what was done to it, and its copy in the browser's storage.
 import type { Core } from './core/client';
 import type { Edit, JobDescription, JobResult, JobValues, Model, Progress, Snapshot } from './core/protocol';
-import { History } from './history';
+import { History, type Step } from './history';
 import { keepEdits, keepProject, type Kept } from './store';
 import { Shape } from './views/shape';
 
@@ -9,7 +9,7 @@ const kSaveAfter = 100; // milliseconds without an edit
 const kEditsAtMost = 200; // until the project is written as a whole again
 
 export class Session {
-  readonly history = new History();
+  readonly history = new History<Step>();
   shape?: Shape;
   busy = false; // with something long that can be stopped
   private saved?: Kept & { edits: Edit[] }; // what a fresh worker needs to stand where we are
