@@ -1,11 +1,8 @@
 // What was done, so that it can be undone and done again without limit.
 import type { Edit } from './core/protocol';
 
-export interface Step {
-  name: string;
-  edit: Edit;
-  inverse: Edit;
-}
+/** An edit of the document, or something of the page's own. */
+export type Step = { name: string } & ({ edit: Edit; inverse: Edit } | { again: () => void; back: () => void });
 
 export class History<S extends { name: string }> {
   private steps: S[] = [];

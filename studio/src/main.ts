@@ -2,6 +2,7 @@
 import { Core, Refused, Stopped } from './core/client';
 import type { Edit, Progress } from './core/protocol';
 import { FoldPanel } from './panels/fold_panel';
+import { InflatePanel } from './panels/inflate_panel';
 import { JobsPanel } from './panels/jobs_panel';
 import { PagesPanel } from './panels/pages_panel';
 import { PatternPanel } from './panels/pattern_panel';
@@ -12,8 +13,8 @@ import { SheetView } from './views/sheet_view';
 import { SpaceView } from './views/space_view';
 import type { Shape } from './views/shape';
 
-type Tab = 'net' | 'fold' | 'pages' | 'pattern' | 'jobs';
-const kTabs: Tab[] = ['net', 'fold', 'pages', 'pattern', 'jobs'];
+type Tab = 'inflate' | 'net' | 'fold' | 'pages' | 'pattern' | 'jobs';
+const kTabs: Tab[] = ['inflate', 'net', 'fold', 'pages', 'pattern', 'jobs'];
 const kWithoutModel: Tab[] = ['pattern', 'jobs']; // need no shape
 const kLargestFile = 80_000_000; // bytes: no kind of file holds 5 million faces in less
 const kHint = 'point at an edge in either picture: a click cuts or joins it';
@@ -21,7 +22,7 @@ const kSamples = ['bird', 'dinosaur', 'fish', 'dog', 'torus', 'truncated-icosahe
 
 declare global {
   interface Window {
-    studio: { session: Session; tab: (tab: Tab) => void; pattern: PatternPanel };
+    studio: { session: Session; tab: (tab: Tab) => void; pattern: PatternPanel; inflate: InflatePanel };
   }
 }
 
@@ -32,6 +33,7 @@ class Studio {
   private readonly foldPanel: FoldPanel;
   private readonly pagesPanel: PagesPanel;
   private readonly jobsPanel: JobsPanel;
+  readonly inflatePanel: InflatePanel;
   readonly patternPanel: PatternPanel;
   private tab: Tab = 'net';
   private corner = -1; // where the keys stand on the net
@@ -48,6 +50,7 @@ class Studio {
     this.foldPanel = new FoldPanel(this.session, this.space, (work) => this.guarded(work), (p) => this.progress(p));
     this.pagesPanel = new PagesPanel(this.session, (work) => this.guarded(work));
     this.jobsPanel = new JobsPanel(this.session, (work) => this.guarded(work), (p) => this.progress(p), (name, bytes) => this.openMade(name, bytes));
+    this.inflatePanel = new InflatePanel(this.session, this.space, (work) => this.guarded(work), (p) => this.progress(p), (text) => this.say(text), (name, bytes) => this.openMade(name, bytes));
     this.patternPanel = new PatternPanel(this.session, (work) => this.guarded(work), (text) => this.say(text), (name, bytes, job) => this.toTools(name, bytes, job));
     this.listen();
   }
@@ -127,6 +130,7 @@ class Studio {
     this.sheet.show(shape);
     requestAnimationFrame(() => this.foldPanel.newModel(shape)); // the net is drawn first, and no frame takes long
     this.pagesPanel.newModel();
+    this.inflatePanel.newModel(shape);
     this.jobsPanel.newModel();
     this.show(this.tab === 'pages' || this.tab === 'pattern' ? 'net' : this.tab);
     this.words(shape);
@@ -138,7 +142,9 @@ class Studio {
     if (moved) this.sheet.fit();
     else this.sheet.redraw();
     this.foldPanel.edited(shape);
+    this.inflatePanel.edited(shape);
     this.pagesPanel.edited();
+    if (this.tab === 'pages') void this.pagesPanel.shown();
     this.words(shape);
   }
   private words(shape: Shape): void {
@@ -232,8 +238,9 @@ class Studio {
       button.tabIndex = t === tab ? 0 : -1;
     }
     byId('start').hidden = open || kWithoutModel.includes(tab);
-    byId('space-view').hidden = !open || !['net', 'fold'].includes(tab);
+    byId('space-view').hidden = !open || !['inflate', 'net', 'fold'].includes(tab);
     byId('sheet-view').hidden = !open || !['net', 'fold'].includes(tab);
+    byId('panel-inflate').hidden = !open || tab !== 'inflate';
     byId('panel-net').hidden = tab !== 'net';
     byId('panel-fold').hidden = tab !== 'fold';
     byId('panel-pages').hidden = !open || tab !== 'pages';
@@ -244,13 +251,15 @@ class Studio {
     if (tab === 'pattern') void this.patternPanel.shown();
     if (!open) return;
     this.foldPanel.shown(tab === 'fold');
+    this.inflatePanel.shown(tab === 'inflate');
     if (tab === 'pages') void this.pagesPanel.shown();
   }
 
   private showStart(): void {
-    for (const id of ['space-view', 'sheet-view', 'panel-pages', 'panel-pattern', 'panel-jobs']) byId(id).hidden = true;
+    for (const id of ['space-view', 'sheet-view', 'panel-inflate', 'panel-pages', 'panel-pattern', 'panel-jobs']) byId(id).hidden = true;
     byId('start').hidden = false;
     this.foldPanel.shown(false);
+    this.inflatePanel.shown(false);
     byId('file-start').focus();
   }
 
@@ -287,6 +296,7 @@ class Studio {
       void this.openFile(e.dataTransfer?.files[0]);
     });
     addEventListener('keydown', (e) => this.key(e));
+    addEventListener('keyup', (e) => this.inflatePanel.keyUp(e));
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => (this.sheet.redraw(), this.space.redraw()));
   }
 
@@ -298,7 +308,8 @@ class Studio {
       event.preventDefault();
       return void (redo ? this.redo() : this.undo());
     }
-    if (event.altKey || ['INPUT', 'SELECT', 'SUMMARY'].includes(target.tagName) || byId<HTMLDialogElement>('help').open) return;
+    const isSlider = target instanceof HTMLInputElement && target.type === 'range' && this.tab === 'inflate' && event.key === ' ';
+    if (event.altKey || (['INPUT', 'SELECT', 'SUMMARY'].includes(target.tagName) && !isSlider) || byId<HTMLDialogElement>('help').open) return;
     const handled =
       target.id === 'sheet' ? this.sheetKey(event) : target.id === 'space' && this.spaceKey(event) ? true :
       target.id === 'pattern' ? this.patternPanel.key(event) :
@@ -312,6 +323,8 @@ class Studio {
     };
     if (this.tab === 'fold')
       Object.assign(actions, { ',': () => this.foldPanel.step(-0.02), '.': () => this.foldPanel.step(0.02), ...(onButton ? {} : { ' ': () => this.foldPanel.play() }) });
+    const onInflate = this.tab === 'inflate' && this.session.shape !== undefined && !(onButton && (event.key === ' ' || event.key === 'Enter'));
+    if (onInflate && this.inflatePanel.key(event)) return true;
     const action = actions[event.key];
     action?.();
     return action !== undefined;
@@ -372,7 +385,7 @@ async function start(): Promise<void> {
     const { textContent: text, dataset } = byId('wasm');
     const packed = { text: text!.trim(), packedBytes: Number(dataset['packed']), bytes: Number(dataset['bytes']) };
     const studio = new Studio(new Core(byId('worker').textContent!, packed));
-    window.studio = { session: studio.session, tab: (tab) => studio.show(tab), pattern: studio.patternPanel };
+    window.studio = { session: studio.session, tab: (tab) => studio.show(tab), pattern: studio.patternPanel, inflate: studio.inflatePanel };
     await studio.begin();
   } catch (error) {
     byId('status').textContent = `this browser cannot run the studio: ${String(error)}`;

@@ -1,5 +1,5 @@
-// Crease patterns drawn as someone would, by pointer and by keys alone; what is typed into forms; a page in millimetres; a
-// tab that nobody looks at.  usage: node screens.mjs PAGE.html MESH.obj; PICTURES as in drive.mjs
+// The screens where shapes are inflated, crease patterns drawn and parts placed, used as someone would, by pointer and by
+// keys alone; and what is typed into forms.  usage: node screens.mjs PAGE.html MESH.obj; PICTURES as in drive.mjs
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
@@ -10,6 +10,7 @@ import { accessible, complaintsOf, drop, openStudio, picture, startBrowser, stat
 
 const [pagePath, meshPath] = process.argv.slice(2);
 
+const facts = (page) => page.textContent('#inflate-facts');
 const patternText = (page) => page.evaluate(() => window.studio.pattern.text);
 const lines = async (page) => JSON.parse(await patternText(page)).edges_vertices.length;
 const verdict = (page) => page.textContent('#pattern-verdict');
@@ -125,6 +126,94 @@ export async function typedNumbersAreChecked(page) {
   await field.fill('');
 }
 
+export async function aShapeIsInflated(page) {
+  await page.click('#tab-inflate');
+  await until(page, () => /hyperbolic/.test(document.getElementById('inflate-facts').textContent));
+  const first = await facts(page);
+  assert.match(first, /0 steps/);
+  await accessible(page, 'inflate');
+  await page.focus('#space');
+  await page.keyboard.press('v'); // pin a vertex by keys, then a face
+  await page.keyboard.press(']');
+  await page.keyboard.press('Enter');
+  await page.keyboard.press('p');
+  await page.keyboard.press(']');
+  await page.keyboard.press(']');
+  await page.keyboard.press('Enter');
+  assert.equal(await page.textContent('#pins'), '1 face and 1 vertex stay');
+  const box = await page.locator('#space').boundingBox(); // and faces by painting
+  await page.mouse.move(box.x + box.width / 2 - 8, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width / 2 + 8, box.y + box.height / 2 + 8, { steps: 6 });
+  await page.mouse.up();
+  assert.match(await page.textContent('#pins'), /^\d+ faces and 1 vertex stay/);
+  await page.keyboard.press('t');
+  await page.press('#space', ' ');
+  await until(page, () => /10 steps/.test(document.getElementById('inflate-facts').textContent));
+  await page.press('#space', ' ');
+  await until(page, () => /20 steps/.test(document.getElementById('inflate-facts').textContent));
+  await picture(page, 'inflate');
+  await theResultIsThatOfTheCommandLine(page);
+  await page.click('#inflate-best');
+  await until(page, () => /stopped by/.test(document.getElementById('inflate-facts').textContent));
+  assert.match(await page.textContent('#inflate-command'), /^plico inflate bird.obj --max-growth 5% --keep/);
+  await picture(page, 'inflate-best');
+}
+/** The words that the page shows, run as a job, give the bytes that it saves. */
+async function theResultIsThatOfTheCommandLine(page) {
+  const same = await page.evaluate(async () => {
+    const { session } = window.studio;
+    const words = document.getElementById('inflate-command').textContent.split(' ').slice(3, -2), values = [['mesh', 'bird.obj'], ['output', 'round.obj']];
+    while (words.length) values.push([words.shift().slice(2), words.shift()]);
+    const { files } = await session.job('inflate', values, { 'bird.obj': await session.mesh() });
+    const [made, live] = [files['round.obj'], await session.inflatedMesh()].map((bytes) => new TextDecoder().decode(bytes));
+    return made === live && live !== new TextDecoder().decode(await session.mesh());
+  });
+  assert.ok(same);
+}
+
+const places = (page) => page.$$eval('.part', (parts) => parts.map((part) => part.getAttribute('aria-label')));
+export async function partsArePlacedByHand(page) {
+  await page.click('#tab-pages');
+  await page.waitForSelector('.part');
+  const transform = () => page.$eval('.part path', (path) => path.getAttribute('d').slice(0, 24));
+  const before = await transform();
+  const settled = async (was) => until(page, (d) => document.querySelector('.part path')?.getAttribute('d').slice(0, 24) !== d, was);
+  await page.focus('.part');
+  await page.keyboard.press('Shift+ArrowUp');
+  await settled(before);
+  const moved = await transform();
+  assert.match((await places(page))[0], /placed by hand/);
+  await page.keyboard.press('r');
+  await settled(moved);
+  assert.match(await page.textContent('#page-report'), /part/);
+  await picture(page, 'pages-moved');
+  await accessible(page, 'pages');
+  await page.keyboard.press('Control+z');
+  await until(page, (d) => document.querySelector('.part path')?.getAttribute('d').slice(0, 24) === d, moved);
+  await page.keyboard.press('Control+z');
+  await until(page, (d) => document.querySelector('.part path')?.getAttribute('d').slice(0, 24) === d, before);
+  // By the pointer: 20 mm to the right.
+  const at = await page.$eval('.part path', (path) => {
+    const { x, y, width, height } = path.getBBox();
+    for (let i = 1; i < 40; ++i)
+      for (let j = 1; j < 40; ++j) {
+        const p = new DOMPoint(x + (width * i) / 40, y + (height * j) / 40);
+        if (!path.isPointInFill(p)) continue;
+        const on = p.matrixTransform(path.getScreenCTM());
+        if (on.y > 80 && on.y < innerHeight - 80) return [on.x, on.y];
+      }
+    return undefined;
+  });
+  await page.mouse.move(...at);
+  await page.mouse.down();
+  await page.mouse.move(at[0] + 40, at[1], { steps: 4 });
+  await page.mouse.up();
+  await settled(before);
+  await page.click('#repack');
+  await until(page, (d) => document.querySelector('.part path')?.getAttribute('d').slice(0, 24) === d, before);
+}
+
 const kDotsPerMm = 100; // 2540 dots an inch
 /** Millimetres between the outermost red lines that cross the middle of the page, as poppler sees them: across, and up. */
 function redExtent(pdf, width, height) {
@@ -195,10 +284,12 @@ if (process.argv[1]?.endsWith('screens.mjs')) {
     await drop(page, 'bird.obj', readFileSync(meshPath));
     await until(page, () => document.getElementById('name').textContent === 'bird');
     await typedNumbersAreChecked(page);
+    await aShapeIsInflated(page);
+    await partsArePlacedByHand(page);
     await aJobEndsInAHiddenTab(context, page);
     await aHundredMillimetresAreAHundred(page);
     await page.setViewportSize({ width: 390, height: 844 });
-    for (const tab of ['pattern']) {
+    for (const tab of ['inflate', 'pattern', 'pages']) {
       await page.evaluate((t) => window.studio.tab(t), tab);
       await page.waitForTimeout(400);
       await picture(page, `${tab}-390`);
