@@ -9,7 +9,9 @@
 #include "editor.h"
 #include "plico/base/error.h"
 #include "plico/base/version.h"
+#include "plico/inflate/explicit.h"
 #include "plico/io/mesh/mesh_file.h"
+#include "plico/mesh/measures.h"
 #include "plico/workflow/jobs/jobs.h"
 
 namespace plico {
@@ -113,6 +115,24 @@ val array_of(const char* type, const std::vector<T>& values) {
   return val::global(type).new_(val(emscripten::typed_memory_view(values.size(), values.data())));
 }
 
+InflateOptions inflate_options(const std::string& text) {
+  const json given = json::parse(text);
+  InflateOptions options;
+  options.method = InflateMethod::Explicit;
+  options.pressure = given.value("pressure", options.pressure);
+  options.max_growth = given.value("max_growth", options.max_growth);
+  options.time_step = given.value("time_step", options.time_step);
+  options.skin.constrained = given.value("constrained", true);
+  options.skin.edge_stiffness = given.value("stiffness", options.skin.edge_stiffness);
+  options.skin.stiff_edges = given.value("stiff_edges", options.skin.stiff_edges);
+  options.skin.anchor_stiffness = given.value("anchors", options.skin.anchor_stiffness);
+  if (given.contains("deep_angle_deg")) options.skin.deep_angle = radians(given["deep_angle_deg"].get<double>());
+  options.max_steps = given.value("max_steps", options.max_steps);
+  for (int v : given.value("keep_vertices", std::vector<int>())) options.keep_vertices.emplace_back(v);
+  for (int f : given.value("keep", std::vector<int>())) options.keep.emplace_back(f);
+  return options;
+}
+
 json edit_json(const Edit& edit) { return json::parse(write_edits({edit})).front(); }
 Edit edit_of(const std::string& text) { return read_edits("[" + text + "]").front(); }
 
@@ -121,6 +141,7 @@ class EditorBinding {
  public:
   std::string open(const std::string& bytes, const std::string& name, const val& listener) {
     return with(listener, [&](const Run& run) {
+      live_.reset();
       editor_.emplace(bytes, name, run);
       const Mesh& mesh = editor_->project().mesh;
       return json{{"name", editor_->project().name}, {"faces", mesh.num_faces()}, {"vertices", mesh.num_vertices()},
@@ -162,6 +183,38 @@ class EditorBinding {
     return with(listener, [&](const Run& run) { return json{{"edit", edit_json(editor_->search(folds, run))}}; });
   }
   void arrange() { editor_->arrange(); }
+
+  // `options` as inflate_options() reads them; begins anew. What it then is, is told as by inflateStep().
+  std::string inflate_begin(const std::string& options) {
+    return guarded([&] {
+      live_.reset();
+      const InflateOptions read = inflate_options(options);
+      check(editor_->project().mesh, read);
+      live_.emplace(editor_->project().mesh, read);
+      return inflation().dump();
+    });
+  }
+  std::string inflate_step() {
+    return guarded([&] {
+      live_->advance();
+      return inflation().dump();
+    });
+  }
+  val inflated_corners() const {
+    std::vector<float> corners;
+    for (int v : editor_->project().mesh.soup().corners)
+      for (double x : live_->result().points[v]) corners.push_back(static_cast<float>(x));
+    return array_of("Float32Array", corners);
+  }
+  val hyperbolic_corners() const {  // of each corner whether its vertex is hyperbolic
+    const Mesh now = inflated();
+    std::vector<unsigned char> is(now.num_vertices()), corners;
+    for (VertexId v : now.vertices()) is[v] = is_hyperbolic(now, v);
+    for (int v : now.soup().corners) corners.push_back(is[v]);
+    return array_of("Uint8Array", corners);
+  }
+  val vertices() const { return array_of("Int32Array", editor_->project().mesh.soup().corners); }
+  val inflated_bytes() const { return bytes_of(write_mesh(inflated().soup(), MeshFormat::Obj)); }
   std::string motion(bool plan, const val& listener) {
     return with(listener, [&](const Run& run) {
       const Motion& motion = editor_->judge_motion(plan, run);
@@ -177,6 +230,25 @@ class EditorBinding {
   val project_bytes() const { return bytes_of(write_project(editor_->project())); }
 
  private:
+  Mesh inflated() const {
+    PolygonSoup soup = editor_->project().mesh.soup();
+    soup.points = live_->result().points;
+    return Mesh(std::move(soup));
+  }
+  json inflation() const {
+    const Inflation& now = live_->result();
+    const Mesh mesh = inflated();
+    const Mesh& before = editor_->project().mesh;
+    double most = 0;
+    for (VertexId v : mesh.vertices()) most = std::max(most, (mesh.point(v) - before.point(v)).norm());
+    return {{"steps", now.steps},
+            {"hyperbolic", now.hyperbolic},
+            {"hyperbolic_before", now.hyperbolic_before},
+            {"growth", volume(mesh) / volume(before) - 1},
+            {"largest_move", most},
+            {"ended", live_->ended()},
+            {"limit", plico::name(now.limit)}};
+  }
   static json verdict(const Editor& editor) {
     const NetVerdict& v = editor.verdict();
     json overlaps = json::array(), defects = json::array();
@@ -202,6 +274,7 @@ class EditorBinding {
   }
 
   std::optional<Editor> editor_;
+  std::optional<ExplicitInflation> live_;  // of the editor's mesh
 };
 
 }  // namespace
@@ -238,6 +311,12 @@ EMSCRIPTEN_BINDINGS(plico) {
       .function("search", &Editor::search)
       .function("arrange", &Editor::arrange)
       .function("motion", &Editor::motion)
+      .function("inflateBegin", &Editor::inflate_begin)
+      .function("inflateStep", &Editor::inflate_step)
+      .function("inflatedCorners", &Editor::inflated_corners)
+      .function("hyperbolicCorners", &Editor::hyperbolic_corners)
+      .function("inflatedBytes", &Editor::inflated_bytes)
+      .function("vertices", &Editor::vertices)
       .function("meshBytes", &Editor::mesh_bytes)
       .function("foldBytes", &Editor::fold_bytes)
       .function("projectBytes", &Editor::project_bytes);

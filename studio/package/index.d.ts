@@ -13,6 +13,11 @@ export interface JobOption {
   positional: boolean;
   required: boolean;
   repeatable: boolean;
+  /** Bounds of a number, in its unit, with the words of JSON Schema. */
+  minimum?: number;
+  exclusiveMinimum?: number;
+  maximum?: number;
+  exclusiveMaximum?: number;
 }
 
 export interface JobDescription {

@@ -1,17 +1,14 @@
 // What was done, so that it can be undone and done again without limit.
 import type { Edit } from './core/protocol';
 
-export interface Step {
-  name: string;
-  edit: Edit;
-  inverse: Edit;
-}
+/** An edit of the document, or something of the page's own. */
+export type Step = { name: string } & ({ edit: Edit; inverse: Edit } | { again: () => void; back: () => void });
 
-export class History {
-  private steps: Step[] = [];
+export class History<S extends { name: string }> {
+  private steps: S[] = [];
   private at = 0; // steps before it are done
 
-  add(step: Step): void {
+  add(step: S): void {
     this.steps.splice(this.at, Infinity, step);
     this.at = this.steps.length;
   }
@@ -19,10 +16,10 @@ export class History {
     this.steps = [];
     this.at = 0;
   }
-  get undoable(): Step | undefined {
+  get undoable(): S | undefined {
     return this.steps[this.at - 1];
   }
-  get redoable(): Step | undefined {
+  get redoable(): S | undefined {
     return this.steps[this.at];
   }
   undone(): void {
@@ -30,9 +27,5 @@ export class History {
   }
   redone(): void {
     ++this.at;
-  }
-  /** The edits that lead from the first state to this one, as `plico edit` reads them. */
-  edits(): Edit[] {
-    return this.steps.slice(0, this.at).map((step) => step.edit);
   }
 }

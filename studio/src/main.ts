@@ -2,8 +2,10 @@
 import { Core, Refused, Stopped } from './core/client';
 import type { Edit, Progress } from './core/protocol';
 import { FoldPanel } from './panels/fold_panel';
+import { InflatePanel } from './panels/inflate_panel';
 import { JobsPanel } from './panels/jobs_panel';
 import { PagesPanel } from './panels/pages_panel';
+import { PatternPanel } from './panels/pattern_panel';
 import { Session } from './session';
 import { kept } from './store';
 import { byId, bytesOf, colors } from './page';
@@ -11,14 +13,16 @@ import { SheetView } from './views/sheet_view';
 import { SpaceView } from './views/space_view';
 import type { Shape } from './views/shape';
 
-type Tab = 'net' | 'fold' | 'pages' | 'jobs';
-const kTabs: Tab[] = ['net', 'fold', 'pages', 'jobs'];
+type Tab = 'inflate' | 'net' | 'fold' | 'pages' | 'pattern' | 'jobs';
+const kTabs: Tab[] = ['inflate', 'net', 'fold', 'pages', 'pattern', 'jobs'];
+const kWithoutModel: Tab[] = ['pattern', 'jobs']; // need no shape
 const kLargestFile = 80_000_000; // bytes: no kind of file holds 5 million faces in less
+const kHint = 'point at an edge in either picture: a click cuts or joins it';
 const kSamples = ['bird', 'dinosaur', 'fish', 'dog', 'torus', 'truncated-icosahedron'];
 
 declare global {
   interface Window {
-    studio: { session: Session; tab: (tab: Tab) => void };
+    studio: { session: Session; tab: (tab: Tab) => void; pattern: PatternPanel; inflate: InflatePanel };
   }
 }
 
@@ -29,6 +33,8 @@ class Studio {
   private readonly foldPanel: FoldPanel;
   private readonly pagesPanel: PagesPanel;
   private readonly jobsPanel: JobsPanel;
+  readonly inflatePanel: InflatePanel;
+  readonly patternPanel: PatternPanel;
   private tab: Tab = 'net';
   private corner = -1; // where the keys stand on the net
   private asked = 0;
@@ -44,6 +50,8 @@ class Studio {
     this.foldPanel = new FoldPanel(this.session, this.space, (work) => this.guarded(work), (p) => this.progress(p));
     this.pagesPanel = new PagesPanel(this.session, (work) => this.guarded(work));
     this.jobsPanel = new JobsPanel(this.session, (work) => this.guarded(work), (p) => this.progress(p), (name, bytes) => this.openMade(name, bytes));
+    this.inflatePanel = new InflatePanel(this.session, this.space, (work) => this.guarded(work), (p) => this.progress(p), (text) => this.say(text), (name, bytes) => this.openMade(name, bytes));
+    this.patternPanel = new PatternPanel(this.session, (work) => this.guarded(work), (text) => this.say(text), (name, bytes, job) => this.toTools(name, bytes, job));
     this.listen();
   }
 
@@ -85,6 +93,10 @@ class Studio {
   }
   private async openFile(file: File | undefined): Promise<void> {
     if (!file) return;
+    if (file.name.toLowerCase().endsWith('.cp')) {
+      this.show('pattern');
+      return this.patternPanel.open(file);
+    }
     await this.guarded(async () => {
       const { name, size } = file;
       this.say(`opening ${name} …`);
@@ -98,6 +110,10 @@ class Studio {
     await this.open(name, bytes);
     if (this.session.shape !== before) this.show('net');
   }
+  private async toTools(name: string, bytes: Uint8Array, job: string): Promise<void> {
+    this.show('jobs');
+    await this.guarded(() => this.jobsPanel.give(name, bytes, job));
+  }
   private openSample(name: string): Promise<void> {
     return this.guarded(async () => {
       const made = await this.session.job('sample', [['name', name], ['output', `${name}.obj`]], {});
@@ -110,11 +126,13 @@ class Studio {
     byId('name').textContent = shape.model.name;
     document.title = `${shape.model.name} · Plico studio`;
     this.corner = -1;
+    byId('hint').textContent = kHint;
     this.sheet.show(shape);
     requestAnimationFrame(() => this.foldPanel.newModel(shape)); // the net is drawn first, and no frame takes long
     this.pagesPanel.newModel();
+    this.inflatePanel.newModel(shape);
     this.jobsPanel.newModel();
-    this.show(this.tab === 'pages' ? 'net' : this.tab);
+    this.show(this.tab === 'pages' || this.tab === 'pattern' ? 'net' : this.tab);
     this.words(shape);
     const folds = shape.model.faces;
     this.say([`${folds} faces`, ...notes].join(' · '));
@@ -124,16 +142,21 @@ class Studio {
     if (moved) this.sheet.fit();
     else this.sheet.redraw();
     this.foldPanel.edited(shape);
+    this.inflatePanel.edited(shape);
     this.pagesPanel.edited();
+    if (this.tab === 'pages') void this.pagesPanel.shown();
     this.words(shape);
   }
   private words(shape: Shape): void {
+    this.steps();
     const { valid, parts, overlaps, defects } = shape.snapshot.verdict;
     const badge = byId('verdict');
     badge.dataset['status'] = valid ? 'good' : 'bad';
     const inParts = parts === 1 ? 'one net' : `${parts} parts`;
     badge.textContent = valid ? `${inParts}, verified` : overlaps ? `${overlaps} overlaps` : (defects[0] ?? 'not a net');
-    const { undoable, redoable } = this.session.history;
+  }
+  private steps(): void {
+    const { undoable, redoable } = this.tab === 'pattern' ? this.patternPanel.steps : this.session.history;
     for (const [id, step] of [['undo', undoable], ['redo', redoable]] as const) {
       const button = byId<HTMLButtonElement>(id);
       button.disabled = !step;
@@ -148,7 +171,7 @@ class Studio {
     this.sheet.preview(undefined);
     this.space.point(edge);
     const ticket = ++this.asked;
-    byId('hint').textContent = '';
+    byId('hint').textContent = edge < 0 ? kHint : '';
     if (edge < 0 || this.tab !== 'net' || this.session.busy) return;
     const edit = await this.session.editFor(edge);
     if (ticket !== this.asked) return;
@@ -188,9 +211,11 @@ class Studio {
   }
 
   private undo(): Promise<void> {
+    if (this.tab === 'pattern') return Promise.resolve(this.patternPanel.undo());
     return this.guarded(async () => this.say(`undone: ${(await this.session.undo()) ?? 'nothing'}`));
   }
   private redo(): Promise<void> {
+    if (this.tab === 'pattern') return Promise.resolve(this.patternPanel.redo());
     return this.guarded(async () => this.say(`done again: ${(await this.session.redo()) ?? 'nothing'}`));
   }
   private heal(): Promise<void> {
@@ -203,6 +228,7 @@ class Studio {
   }
 
   show(tab: Tab): void {
+    if (tab !== this.tab && byId('status').dataset['kind'] === 'bad') this.say(''); // it was about another screen
     this.tab = tab;
     document.body.dataset['tab'] = tab;
     const open = this.session.shape !== undefined;
@@ -211,22 +237,29 @@ class Studio {
       button.setAttribute('aria-selected', String(t === tab));
       button.tabIndex = t === tab ? 0 : -1;
     }
-    byId('start').hidden = open || tab === 'jobs';
-    byId('space-view').hidden = byId('sheet-view').hidden = !open || tab === 'pages' || tab === 'jobs';
+    byId('start').hidden = open || kWithoutModel.includes(tab);
+    byId('space-view').hidden = !open || !['inflate', 'net', 'fold'].includes(tab);
+    byId('sheet-view').hidden = !open || !['net', 'fold'].includes(tab);
+    byId('panel-inflate').hidden = !open || tab !== 'inflate';
     byId('panel-net').hidden = tab !== 'net';
     byId('panel-fold').hidden = tab !== 'fold';
     byId('panel-pages').hidden = !open || tab !== 'pages';
+    byId('panel-pattern').hidden = tab !== 'pattern';
     byId('panel-jobs').hidden = tab !== 'jobs';
+    this.steps();
     if (tab === 'jobs') void this.guarded(() => this.jobsPanel.shown());
+    if (tab === 'pattern') void this.patternPanel.shown();
     if (!open) return;
     this.foldPanel.shown(tab === 'fold');
+    this.inflatePanel.shown(tab === 'inflate');
     if (tab === 'pages') void this.pagesPanel.shown();
   }
 
   private showStart(): void {
-    for (const id of ['space-view', 'sheet-view', 'panel-pages', 'panel-jobs']) byId(id).hidden = true;
+    for (const id of ['space-view', 'sheet-view', 'panel-inflate', 'panel-pages', 'panel-pattern', 'panel-jobs']) byId(id).hidden = true;
     byId('start').hidden = false;
     this.foldPanel.shown(false);
+    this.inflatePanel.shown(false);
     byId('file-start').focus();
   }
 
@@ -235,9 +268,10 @@ class Studio {
       byId<HTMLInputElement>(id).addEventListener('change', (e) => void this.openFile((e.target as HTMLInputElement).files?.[0]));
     const choice = byId<HTMLSelectElement>('sample');
     for (const name of kSamples) {
-      choice.append(new Option(name, name));
+      const words = name.replaceAll('-', ' ');
+      choice.append(new Option(words, name));
       const button = document.createElement('button');
-      button.textContent = name;
+      button.textContent = words;
       button.addEventListener('click', () => void this.openSample(name));
       byId('samples').append(button);
     }
@@ -246,6 +280,7 @@ class Studio {
       choice.value = '';
     });
     const on = (id: string, action: () => unknown): void => byId(id).addEventListener('click', () => void action());
+    on('start-pattern', () => this.show('pattern'));
     on('home', () => this.showStart());
     on('undo', () => this.undo());
     on('redo', () => this.redo());
@@ -261,6 +296,7 @@ class Studio {
       void this.openFile(e.dataTransfer?.files[0]);
     });
     addEventListener('keydown', (e) => this.key(e));
+    addEventListener('keyup', (e) => this.inflatePanel.keyUp(e));
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => (this.sheet.redraw(), this.space.redraw()));
   }
 
@@ -272,19 +308,23 @@ class Studio {
       event.preventDefault();
       return void (redo ? this.redo() : this.undo());
     }
-    if (event.altKey || ['INPUT', 'SELECT', 'SUMMARY'].includes(target.tagName) || byId<HTMLDialogElement>('help').open) return;
+    const isSlider = target instanceof HTMLInputElement && target.type === 'range' && this.tab === 'inflate' && event.key === ' ';
+    if (event.altKey || (['INPUT', 'SELECT', 'SUMMARY'].includes(target.tagName) && !isSlider) || byId<HTMLDialogElement>('help').open) return;
     const handled =
-      target.id === 'sheet' ? this.sheetKey(event) : target.id === 'space' ? this.spaceKey(event) :
+      target.id === 'sheet' ? this.sheetKey(event) : target.id === 'space' && this.spaceKey(event) ? true :
+      target.id === 'pattern' ? this.patternPanel.key(event) :
       target.getAttribute('role') === 'tab' ? this.tabKey(event) : false;
     if (handled || this.anyKey(event, target.tagName === 'BUTTON')) event.preventDefault();
   }
   private anyKey(event: KeyboardEvent, onButton: boolean): boolean {
     const actions: Record<string, () => unknown> = {
-      '1': () => this.show('net'), '2': () => this.show('fold'), '3': () => this.show('pages'), '4': () => this.show('jobs'),
+      ...Object.fromEntries(kTabs.map((tab, i) => [String(i + 1), () => this.show(tab)])),
       '?': () => byId<HTMLDialogElement>('help').showModal(), Escape: () => this.session.stop(),
     };
     if (this.tab === 'fold')
       Object.assign(actions, { ',': () => this.foldPanel.step(-0.02), '.': () => this.foldPanel.step(0.02), ...(onButton ? {} : { ' ': () => this.foldPanel.play() }) });
+    const onInflate = this.tab === 'inflate' && this.session.shape !== undefined && !(onButton && (event.key === ' ' || event.key === 'Enter'));
+    if (onInflate && this.inflatePanel.key(event)) return true;
     const action = actions[event.key];
     action?.();
     return action !== undefined;
@@ -345,7 +385,7 @@ async function start(): Promise<void> {
     const { textContent: text, dataset } = byId('wasm');
     const packed = { text: text!.trim(), packedBytes: Number(dataset['packed']), bytes: Number(dataset['bytes']) };
     const studio = new Studio(new Core(byId('worker').textContent!, packed));
-    window.studio = { session: studio.session, tab: (tab) => studio.show(tab) };
+    window.studio = { session: studio.session, tab: (tab) => studio.show(tab), pattern: studio.patternPanel, inflate: studio.inflatePanel };
     await studio.begin();
   } catch (error) {
     byId('status').textContent = `this browser cannot run the studio: ${String(error)}`;

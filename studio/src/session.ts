@@ -1,7 +1,7 @@
 // The document on the page: the model in the worker, what was done to it, and its copy in the browser's storage.
 import type { Core } from './core/client';
-import type { Edit, JobDescription, JobResult, JobValues, Model, Progress, Snapshot } from './core/protocol';
-import { History } from './history';
+import type { Edit, Inflated, InflateOptions, JobDescription, JobResult, JobValues, Model, Progress, Snapshot } from './core/protocol';
+import { History, type Step } from './history';
 import { keepEdits, keepProject, type Kept } from './store';
 import { Shape } from './views/shape';
 
@@ -9,7 +9,7 @@ const kSaveAfter = 100; // milliseconds without an edit
 const kEditsAtMost = 200; // until the project is written as a whole again
 
 export class Session {
-  readonly history = new History();
+  readonly history = new History<Step>();
   shape?: Shape;
   busy = false; // with something long that can be stopped
   private saved?: Kept & { edits: Edit[] }; // what a fresh worker needs to stand where we are
@@ -58,11 +58,20 @@ export class Session {
       this.onEdit(this.shape!, false);
     });
   }
+  /** Something that the page itself does and takes back. */
+  own(name: string, again: () => void, back: () => void): Promise<void> {
+    return this.inOrder(async () => {
+      again();
+      this.history.add({ name, again, back });
+      this.onEdit(this.shape!, false);
+    });
+  }
   undo(): Promise<string | undefined> {
     return this.inOrder(async () => {
       const step = this.history.undoable;
       if (!step) return undefined;
-      await this.change(step.inverse);
+      if ('inverse' in step) await this.change(step.inverse);
+      else step.back();
       this.history.undone();
       this.onEdit(this.shape!, false);
       return step.name;
@@ -72,7 +81,8 @@ export class Session {
     return this.inOrder(async () => {
       const step = this.history.redoable;
       if (!step) return undefined;
-      await this.change(step.edit);
+      if ('edit' in step) await this.change(step.edit);
+      else step.again();
       this.history.redone();
       this.onEdit(this.shape!, false);
       return step.name;
@@ -167,6 +177,15 @@ export class Session {
   }
   preview(edit: Edit) {
     return this.core.call('preview', [edit]);
+  }
+  inflateBegin(options: InflateOptions): Promise<Inflated> {
+    return this.core.call('inflateBegin', [options]);
+  }
+  inflateStep(): Promise<Inflated> {
+    return this.core.call('inflateStep', []);
+  }
+  inflatedMesh(): Promise<Uint8Array> {
+    return this.core.call('inflatedMesh', []);
   }
   job(name: string, values: JobValues, files: Record<string, Uint8Array>, progress?: (p: Progress) => void): Promise<JobResult> {
     return this.long(() => this.core.call('job', [name, values, files], progress));

@@ -3,7 +3,7 @@
 // by `false` or `undefined`.
 import type { Edit } from './core/protocol';
 
-const kName = 'plico-studio', kStore = 'projects', kProject = 'current', kEdits = 'edits';
+const kName = 'plico-studio', kStore = 'projects', kProject = 'current', kEdits = 'edits', kPattern = 'pattern';
 
 export interface Kept {
   name: string;
@@ -45,6 +45,9 @@ async function read<T>(key: string): Promise<T | undefined> {
 
 export const keepProject = (kept: Kept): Promise<boolean> => write({ [kProject]: kept, [kEdits]: { id: kept.id, edits: [] } });
 export const keepEdits = (id: number, edits: Edit[]): Promise<boolean> => write({ [kEdits]: { id, edits } });
+
+export const keepPattern = (text: string): Promise<boolean> => write({ [kPattern]: text });
+export const keptPattern = (): Promise<string | undefined> => read<string>(kPattern).catch(() => undefined);
 
 export async function kept(): Promise<(Kept & { edits: Edit[] }) | undefined> {
   try {

@@ -1,5 +1,7 @@
 // A browser for the tests of the page, and what they ask of it.
 import assert from 'node:assert/strict';
+import { join } from 'node:path';
+import axe from 'axe-core';
 import { chromium } from 'playwright-core';
 
 export function startBrowser(more = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader']) {
@@ -34,4 +36,19 @@ export const projectText = (page) => page.evaluate(async () => new TextDecoder()
 
 export async function drop(page, name, bytes) {
   await page.setInputFiles('#file', { name, mimeType: 'application/octet-stream', buffer: Buffer.from(bytes) });
+}
+
+/** With PICTURES=FOLDER in the environment. */
+export async function picture(page, name) {
+  if (!process.env.PICTURES) return;
+  await page.waitForTimeout(300);
+  await page.screenshot({ path: join(process.env.PICTURES, `${name}.png`) });
+}
+
+/** axe-core finds nothing serious. */
+export async function accessible(page, name) {
+  await page.evaluate(axe.source); // by the debugger, so that the page's policy stays as it is
+  const { violations } = await page.evaluate(() => window.axe.run(document, { resultTypes: ['violations'] }));
+  const serious = violations.filter((v) => ['serious', 'critical'].includes(v.impact));
+  assert.deepEqual(serious.map((v) => `${v.id}: ${v.nodes.map((n) => n.html).join(' ')}`), [], name);
 }

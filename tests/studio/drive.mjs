@@ -2,26 +2,11 @@
 // With PICTURES=FOLDER in the environment it leaves screenshots there.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
-import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import axe from 'axe-core';
-import { complaintsOf, drop, openStudio, projectText, startBrowser, status, until } from './browser.mjs';
+import { accessible, complaintsOf, drop, openStudio, picture, projectText, startBrowser, status, until } from './browser.mjs';
 
 const [pagePath, meshPath] = process.argv.slice(2);
 const browser = await startBrowser();
-
-async function picture(page, name) {
-  if (!process.env.PICTURES) return;
-  await page.waitForTimeout(300);
-  await page.screenshot({ path: join(process.env.PICTURES, `${name}.png`) });
-}
-
-async function accessible(page, name) {
-  await page.evaluate(axe.source); // by the debugger, so that the page's policy stays as it is
-  const { violations } = await page.evaluate(() => window.axe.run(document, { resultTypes: ['violations'] }));
-  const serious = violations.filter((v) => ['serious', 'critical'].includes(v.impact));
-  assert.deepEqual(serious.map((v) => `${v.id}: ${v.nodes.map((n) => n.html).join(' ')}`), [], name);
-}
 
 async function aFileBecomesANet(page) {
   await drop(page, '<img src=x onerror=alert(1)>.obj', readFileSync(meshPath));

@@ -26,11 +26,12 @@ const kRefused = {
   'none.fold': '{"file_spec": 1.2}', 'other-version.fold': '{"file_spec": 99}', 'none.xyz': 'hello',
   'frames.fold': `{"file_spec": 1.2, "file_frames": [${'{},'.repeat(1e6 - 1)}{}]}`,
 };
+const twoCubes = (apart) => kCube + kCube.split('\n').slice(0, 8).map((line) => `v ${line.slice(2).split(' ').map((x) => Number(x) + apart).join(' ')}\n`).join('') +
+  kCube.slice(kCube.indexOf('f')).replace(/\d+/g, (i) => String(Number(i) + 8));
 // Each becomes a net, perhaps of several parts and with a note.
 const kUnusual = {
   'open.obj': kCube.replace('f 1 3 4 2\n', ''), 'flipped.obj': kCube.replace('f 5 6 8 7', 'f 7 8 6 5'),
-  'two.obj': kCube + kCube.split('\n').slice(0, 8).map((line) => line.replace(/^v (\d)/, (_, x) => `v ${Number(x) + 5}`)).join('\n') +
-    '\n' + kCube.slice(kCube.indexOf('f')).replace(/\d+/g, (i) => String(Number(i) + 8)),
+  'two.obj': twoCubes(5), 'self-crossing.obj': twoCubes(0.5),
   'no-area.obj': `${kCube}f 1 2 2\n`,
 };
 const kNames = ['<script>alert(1)</script>.obj', '<img src=x onerror=alert(1)>.obj', '\u202egpj.obj', `${'long '.repeat(40)}.obj`, "'\"&;`$(x).obj", '..\\..\\x.obj'];

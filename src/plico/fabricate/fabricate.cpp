@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "plico/base/error.h"
+#include "plico/base/libm.h"
 #include "plico/fabricate/pieces.h"
 #include "plico/fabricate/split.h"
 #include "plico/geom/convex2.h"
@@ -122,6 +124,40 @@ std::vector<PlaceItem> place_items(const Unfolding& net, const Tabs& tabs) {
     add(items[net.part[sides.side(tab.edge).panel]], {tab.corners[1], tab.corners[0], tab.corners[3], tab.corners[2]});
   for (PlaceItem& item : items) item.hull = convex_hull(std::move(item.hull));
   return items;
+}
+
+// The direction of a panel's first side, radians.
+double first_direction(const CreasePattern& sheet, int panel) {
+  const std::vector<int>& corners = sheet.faces[panel];
+  const Vec2 side = sheet.vertices[corners[1]] - sheet.vertices[corners[0]];
+  return plico::atan2(side.y(), side.x());
+}
+
+std::vector<std::optional<Placement>> given_placements(const Unfolding& net, const std::vector<PanelPlace>& places) {
+  std::vector<std::optional<Placement>> given;
+  if (!places.empty()) given.resize(net.num_parts());
+  for (const PanelPlace& place : places) {
+    if (place.panel < 0 || place.panel >= net.sheet.num_faces())
+      throw InvalidOption(fmt::format("put: panel {} must be in [0, {}]", place.panel, net.sheet.num_faces() - 1));
+    if (place.page < 0 || place.page >= net.num_parts())
+      throw InvalidOption(
+          fmt::format("put: page {} must be in [1, {}], one a part at most", place.page + 1, net.num_parts()));
+    const double angle = place.angle - first_direction(net.sheet, place.panel);
+    const Vec2 corner = net.sheet.vertices[net.sheet.faces[place.panel][0]];
+    given[net.part[place.panel]] = Placement{place.page, angle, place.at - rotation(angle) * corner};
+  }
+  return given;
+}
+
+// What given_placements() would have to be given for the parts to lie as they do.
+std::vector<PanelPlace> places_of(const Unfolding& net, const std::vector<Placement>& placements) {
+  std::vector<PanelPlace> places(placements.size());
+  for (int f = net.sheet.num_faces() - 1; f >= 0; --f) {
+    const Placement& placement = placements[net.part[f]];
+    places[net.part[f]] = {f, placement.page, placement(net.sheet.vertices[net.sheet.faces[f][0]]),
+                           placement.angle + first_direction(net.sheet, f)};
+  }
+  return places;
 }
 
 // Builds the placed parts out of the net, its tabs and where everything goes.
@@ -355,7 +391,7 @@ LayoutResult lay_out_pages(const Unfolding& model_net, const FoldedShape& shape,
   for (const PlaceItem& item : items) hulls.push_back(item.hull);
   for (auto& points : part_points(net)) bare.push_back(convex_hull(std::move(points)));
   require_fit(hulls, bare, report.scale, shape, options, options.split);
-  const Placed placed = place(items, options.page, options.place, run);
+  const Placed placed = place(items, options.page, options.place, run, given_placements(net, options.places));
 
   const std::vector<PartTitle> titles = titles_of(net, model_net, options);
   PageLayout& layout = result.layout;
@@ -372,6 +408,8 @@ LayoutResult lay_out_pages(const Unfolding& model_net, const FoldedShape& shape,
   report.edge_ids = seam_names(sides, outlines, report.tabs, titles, options.seams);
   for (const PlacedPart& part : layout.parts) report.part_names.push_back(part.name);
   for (const PlacedPart& part : layout.parts) report.page_of_part.push_back(part.page);
+  report.places = places_of(net, placed.placements);
+  report.printed_part = net.part;
   for (const int part : net.part) report.part_of_panel.push_back(titles[part].id);
   report.labels = add_labels(layout, report.edge_ids, Font(), options.labels);
   report.joints_without_hole = draw_joints(layout, options.joints, options.joint, net.part, placed.placements);

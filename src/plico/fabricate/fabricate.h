@@ -27,10 +27,20 @@ struct PartTitle {
 enum class WeakFolds { Keep, CutFew, Cut };
 inline constexpr int kPanelsACut = 20;
 
+// Where someone wants a part to lie, told by one of its panels: the panel's first corner on the page, millimetres from
+// its lower left corner, and the direction of its first side, radians, 0 to the right. It needs no other part and no
+// order of parts, so it holds for as long as the panel is there.
+struct PanelPlace {
+  int panel = -1, page = 0;  // of the net; from 0
+  Vec2 at = Vec2::Zero();
+  double angle = 0;
+};
+
 struct LayoutOptions {
   SizeOptions size;
   PageOptions page;
   PlaceOptions place;
+  std::vector<PanelPlace> places;  // of parts that lie where they are told; of a part told twice the last counts
   TabOptions tabs;
   LabelOptions labels;
   MarkOptions marks;
@@ -64,6 +74,8 @@ struct LayoutReport {
   std::vector<std::string> edge_ids, part_of_panel;
   std::vector<std::string> part_names;  // of each printed part
   std::vector<int> page_of_part;        // from 0
+  std::vector<PanelPlace> places;       // where each printed part lies, by its lowest panel
+  std::vector<int> printed_part;        // of each panel, a number in `places`
 };
 
 struct LayoutResult {
@@ -78,7 +90,8 @@ Vec2 room_without_tabs(const LayoutOptions& options);
 double wanted_scale(const Unfolding& net, const FoldedShape& shape, const LayoutOptions& options = {});
 
 // Lays out `net` (in the model's unit). Throws InvalidInput when a part fits no page, saying the largest size that
-// would fit, unless it may be split; InvalidOption when an option is out of range.
+// would fit, unless it may be split; InvalidOption when an option is out of range. Parts with a given place may overlap
+// and reach over the margin: verify_layout() tells.
 LayoutResult lay_out_pages(const Unfolding& net, const FoldedShape& shape, const LayoutOptions& options = {},
                            const Run& run = {});
 

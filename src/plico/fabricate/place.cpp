@@ -114,6 +114,20 @@ class PageFiller {
     alone_ = true;
   }
 
+  // Where someone wants it, in the page's coordinates; what lies there already stays.
+  void put_given(const PlaceItem& item, int index, const Placement& at) {
+    const Vec2 margin = page_->margin.low();
+    std::vector<Vec2> moved;
+    for (const auto& piece : item.pieces) {
+      moved.clear();
+      for (const Vec2& p : piece) moved.push_back((at(p) - margin) / kCell);
+      taken_.cover(moved);
+      for (const Vec2& p : moved) hides_key_ = hides_key_ || p.y() * kCell < reserved_;
+    }
+    items_.push_back({index, at.angle, at.shift - margin});
+    given_ = true;
+  }
+
   double radius() const { return gap_ / kCell + 0.5; }
   bool empty() const { return items_.empty(); }
   bool alone() const { return alone_; }
@@ -129,11 +143,13 @@ class PageFiller {
     page.ruler = ruler;
     const Vec2 margin = page_->margin.low();
     Vec2 shift = margin;
-    if (alone_) {
+    if (alone_ || hides_key_) {
       find_key(page);
     } else {
       page.key_form = key_;
       page.key_at = key_at_ + margin;
+    }
+    if (!alone_ && !given_) {
       const Vec2 low(0, reserved_), room = room_ - low;
       shift += low + (room - used_.sizes()) / 2 - used_.min();
     }
@@ -176,7 +192,7 @@ class PageFiller {
   KeyForm key_ = KeyForm::None;
   Vec2 key_at_ = Vec2::Zero();
   double reserved_ = 0;
-  bool alone_ = false;
+  bool alone_ = false, given_ = false, hides_key_ = false;
 };
 
 // The direction that most sides share up to quarter turns, when most do: the grain of a box-like part.
@@ -218,10 +234,12 @@ KeyForm key_that_fits(const Vec2& room, KeyWish wish, double& ruler) {
 
 class Placer {
  public:
-  Placer(const std::vector<PlaceItem>& items, const PageOptions& page, const PlaceOptions& options)
+  Placer(const std::vector<PlaceItem>& items, const PageOptions& page, const PlaceOptions& options,
+         const std::vector<std::optional<Placement>>& given)
       : items_(items),
         page_(page),
         options_(options),
+        given_(given),
         room_(printable(page)),
         form_(key_that_fits(room_, options.key, ruler_)) {}
 
@@ -230,11 +248,13 @@ class Placer {
     std::iota(order.begin(), order.end(), 0);
     std::ranges::stable_sort(order, std::greater<>(), [&](int i) { return signed_area(items_[i].hull); });
     int done = 0;
+    const bool any_given = put_all_given();
     for (int i : order) {
       run.report("placing parts", done++, static_cast<long>(order.size()));
-      add(i, items_.size() > kFew && run.over());
+      if (!is_given(i)) add(i, items_.size() > kFew && run.over());
     }
-    std::ranges::stable_sort(pages_, {}, &PageFiller::first_item);  // part A on page 1
+    std::erase_if(pages_, [](const PageFiller& page) { return page.empty(); });
+    if (!any_given) std::ranges::stable_sort(pages_, {}, &PageFiller::first_item);  // part A on page 1
     Placed placed;
     placed.placements.resize(items_.size());
     for (std::size_t p = 0; p < pages_.size(); ++p)
@@ -246,6 +266,18 @@ class Placer {
   }
 
  private:
+  bool is_given(std::size_t i) const { return i < given_.size() && given_[i].has_value(); }
+  bool put_all_given() {
+    bool any = false;
+    for (std::size_t i = 0; i < items_.size(); ++i) {
+      if (!is_given(i)) continue;
+      any = true;
+      while (static_cast<int>(pages_.size()) <= given_[i]->page) pages_.push_back(new_page());
+      pages_[given_[i]->page].put_given(items_[i], static_cast<int>(i), *given_[i]);
+    }
+    return any;
+  }
+
   // In a hurry the first way that fits is taken, on the last page or a new one.
   void add(int i, bool hurry) {
     std::vector<Turned> ways;
@@ -287,6 +319,7 @@ class Placer {
   const std::vector<PlaceItem>& items_;
   const PageOptions& page_;
   const PlaceOptions& options_;
+  const std::vector<std::optional<Placement>>& given_;
   Vec2 room_;
   double ruler_ = 100;
   KeyForm form_;
@@ -309,12 +342,12 @@ Vec2 key_size(KeyForm form, double ruler) {
   return Vec2::Zero();
 }
 
-Placed place(const std::vector<PlaceItem>& items, const PageOptions& page, const PlaceOptions& options,
-             const Run& run) {
+Placed place(const std::vector<PlaceItem>& items, const PageOptions& page, const PlaceOptions& options, const Run& run,
+             const std::vector<std::optional<Placement>>& given) {
   check(page);
   if (!(options.gap >= 0 && options.gap <= 100))
     throw InvalidOption(fmt::format("gap = {:g} mm must be in [0, 100] mm", options.gap));
-  return Placer(items, page, options).run(run);
+  return Placer(items, page, options, given).run(run);
 }
 
 }  // namespace plico

@@ -1,5 +1,6 @@
 // Placing parts on pages: true shapes on a raster, largest first, lowest place first, several rotations each.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,8 +43,9 @@ Vec2 key_size(KeyForm form, double ruler);
 
 // Every item fits the printable area in some angle_that_fits; throws InvalidInput otherwise. Items never overlap: cells
 // are taken whenever touched. Deterministic; when the run is over, many items are placed in a hurry, on more pages.
-// O(items * rotations * cells) word operations at worst.
+// Items with a place in `given` (empty, or one of each item) lie there, whatever lies there already, and the others
+// where there is room left; pages without an item are left out. O(items * rotations * cells) word operations at worst.
 Placed place(const std::vector<PlaceItem>& items, const PageOptions& page, const PlaceOptions& options,
-             const Run& run = {});
+             const Run& run = {}, const std::vector<std::optional<Placement>>& given = {});
 
 }  // namespace plico

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "plico/inflate/obstacles.h"
 #include "plico/mesh/measures.h"
 
 namespace plico {
@@ -31,43 +30,69 @@ Eigen::VectorXd pressure_forces(const Mesh& now, double pressure) {
 // Did the step tear the skin?
 bool bursts(const Eigen::VectorXd& step) { return !(step.lpNorm<Eigen::Infinity>() < kFarthest); }
 
+SkinOptions without_flattening(SkinOptions skin) {
+  skin.flattening = 0;
+  return skin;
+}
+
 }  // namespace
 
-Inflation integrate(const Mesh& mesh, const InflateOptions& options, const Run& run) {
-  InflateOptions printed = options;
-  printed.skin.flattening = 0;
-  SkinEnergy energy(mesh, printed.skin, options.keep);
-  const Obstacles obstacles(mesh);
-  Inflation result;
-  result.points = mesh.soup().points;
-  result.pressure = options.pressure > 0 ? options.pressure : 1;
-  result.hyperbolic_before = result.hyperbolic = count_hyperbolic(mesh);
-  result.limit = InflateLimit::Steps;
-  Eigen::VectorXd x = energy.start(), gradient(x.size());
-  Mesh now = mesh;
-  for (; result.steps < options.max_steps; ++result.steps) {
-    if (result.steps % kLookEvery == 0) {
-      now = moved(mesh, energy.points(x));
-      if (std::abs(energy.volume(x) / energy.start_volume() - 1) > options.max_growth)
-        result.limit = InflateLimit::Growth;
-      if (!obstacles.faces_in_the_way(now.soup().points).empty()) result.limit = InflateLimit::Blocked;
-      if (run.over()) result.limit = InflateLimit::Time;
-      if (result.limit != InflateLimit::Steps) break;
-      result.points = now.soup().points;
-      result.hyperbolic = count_hyperbolic(now);
-      energy.classify(now);
-      if (result.hyperbolic <= options.until_hyperbolic) result.limit = InflateLimit::Hyperbolic;
-      if (result.limit != InflateLimit::Steps) break;
-    }
-    energy(0, x, gradient);
+ExplicitInflation::ExplicitInflation(const Mesh& mesh, const InflateOptions& options)
+    : mesh_(mesh),
+      options_(options),
+      energy_(mesh, without_flattening(options.skin), options.keep),
+      obstacles_(mesh),
+      x_(energy_.start()),
+      gradient_(x_.size()),
+      now_(mesh) {
+  for (VertexId v : options.keep_vertices) energy_.fix(v);
+  result_.pressure = options.pressure > 0 ? options.pressure : 1;
+  result_.limit = InflateLimit::Steps;
+  result_.points = mesh.soup().points;
+  result_.hyperbolic_before = count_hyperbolic(mesh);
+  look({});
+}
+
+void ExplicitInflation::end(InflateLimit limit) {
+  result_.limit = limit;
+  ended_ = true;
+}
+
+void ExplicitInflation::look(const Run& run) {
+  Mesh now = moved(mesh_, energy_.points(x_));
+  if (std::abs(energy_.volume(x_) / energy_.start_volume() - 1) > options_.max_growth) return end(InflateLimit::Growth);
+  if (!obstacles_.faces_in_the_way(now.soup().points).empty()) return end(InflateLimit::Blocked);
+  if (run.over()) return end(InflateLimit::Time);
+  now_ = std::move(now);
+  result_.points = now_.soup().points;
+  result_.hyperbolic = count_hyperbolic(now_);
+  energy_.classify(now_);
+  if (result_.hyperbolic <= options_.until_hyperbolic) return end(InflateLimit::Hyperbolic);
+  if (result_.steps >= options_.max_steps) end(InflateLimit::Steps);
+}
+
+bool ExplicitInflation::advance(const Run& run) {
+  if (ended_) return false;
+  for (int i = 0; i < kLookEvery && result_.steps < options_.max_steps; ++i) {
+    energy_(0, x_, gradient_);
     const Eigen::VectorXd step =
-        options.time_step * (energy.only_free(pressure_forces(now, result.pressure)) - gradient);
+        options_.time_step * (energy_.only_free(pressure_forces(now_, result_.pressure)) - gradient_);
     if (bursts(step)) {
-      result.limit = InflateLimit::Burst;
-      break;
+      end(InflateLimit::Burst);
+      return false;
     }
-    x += step;
+    x_ += step;
+    ++result_.steps;
   }
+  look(run);
+  return !ended_;
+}
+
+Inflation integrate(const Mesh& mesh, const InflateOptions& options, const Run& run) {
+  ExplicitInflation inflation(mesh, options);
+  while (inflation.advance(run)) {
+  }
+  Inflation result = inflation.result();
   if (result.limit == InflateLimit::Hyperbolic) result.ending = Ending::Found;
   if (result.limit == InflateLimit::Time) result.ending = run.ending();
   return result;

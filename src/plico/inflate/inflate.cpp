@@ -46,6 +46,7 @@ class Pump {
         obstacles_(mesh),
         x_(energy_.start()) {
     energy_.hold_volume(options.max_growth / 2);
+    for (VertexId v : options.keep_vertices) energy_.fix(v);
   }
 
   Inflation inflate() {
@@ -191,6 +192,14 @@ void check(const InflateOptions& options) {
   require(options.max_steps >= 1, "max-steps", options.max_steps, "at least 1");
 }
 
+void check(const Mesh& mesh, const InflateOptions& options) {
+  check(options);
+  require_inflatable(mesh);
+  for (FaceId f : options.keep) require(f >= 0 && f < mesh.num_faces(), "keep", int(f), "a face of the mesh");
+  for (VertexId v : options.keep_vertices)
+    require(v >= 0 && v < mesh.num_vertices(), "keep-vertex", int(v), "a vertex of the mesh");
+}
+
 std::string_view name(InflateLimit limit) {
   constexpr std::array<std::string_view, 8> kNames{"hyperbolic", "growth", "pressure", "settled",
                                                    "steps",      "burst",  "blocked",  "time"};
@@ -217,9 +226,7 @@ double angle_excess(const Mesh& mesh) {
 }
 
 Inflation inflate(const Mesh& mesh, const InflateOptions& options, const Run& run) {
-  check(options);
-  require_inflatable(mesh);
-  for (FaceId f : options.keep) require(f >= 0 && f < mesh.num_faces(), "keep", int(f), "a face of the mesh");
+  check(mesh, options);
   Inflation best = inflate_once(mesh, options, run);
   if (options.method == InflateMethod::Explicit) return best;
   for (double times : options.stronger) {

@@ -26,8 +26,9 @@ struct InflateOptions {
   int until_hyperbolic = 0;       // stop when no more vertices than this are hyperbolic; at least 0
   double pressure = 0;            // stop here; 0: whatever the other limits allow. Springs pull with 1 (SkinOptions)
   std::vector<FaceId> keep = {};  // faces that must not move
-  double time_step = 0.02;        // of Explicit, above 0
-  int max_steps = 3000;           // of Explicit, at least 1
+  std::vector<VertexId> keep_vertices = {};
+  double time_step = 0.02;  // of Explicit, above 0
+  int max_steps = 3000;     // of Explicit, at least 1
 };
 void check(const InflateOptions& options);  // throws InvalidOption
 
@@ -51,6 +52,9 @@ struct Inflation {
   double largest_move() const;
 };
 
+// Throws as inflate() does.
+void check(const Mesh& mesh, const InflateOptions& options);
+
 int count_hyperbolic(const Mesh& mesh);  // vertices; O(n)
 double angle_excess(const Mesh& mesh);   // radians, as in Inflation; O(n)
 
@@ -59,7 +63,7 @@ double angle_excess(const Mesh& mesh);   // radians, as in Inflation; O(n)
 //   - The volume grows or shrinks by no more than max_growth.
 //   - Of all levels of pressure it is the one with the fewest hyperbolic vertices, then with the least change of
 //   volume.
-//   - Vertices of faces in `keep` have the same coordinates to the last bit.
+//   - Vertices of faces in `keep`, and those in `keep_vertices`, have the same coordinates to the last bit.
 // With Minimize the pressure rises by half from level to level, each minimized from the one before; where a level would
 // make faces meet, the vertices of these faces are held from there on. Always ends. Throws InvalidInput for a mesh that
 // has a boundary, other faces than triangles or no positive volume. O(levels iterations n).

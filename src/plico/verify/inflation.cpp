@@ -45,10 +45,19 @@ void find_moved_vertex(const Mesh& before, const Mesh& after, const std::vector<
       }
 }
 
+void find_moved_pin(const Mesh& before, const Mesh& after, const std::vector<VertexId>& keep,
+                    std::vector<std::string>& defects) {
+  for (VertexId v : keep)
+    if (before.point(v) != after.point(v)) {
+      defects.push_back(fmt::format("vertex {}, which is kept, moved", int(v)));
+      return;
+    }
+}
+
 }  // namespace
 
 InflationVerdict verify_inflation(const Mesh& before, const PolygonSoup& soup, const std::vector<FaceId>& keep,
-                                  double max_growth) {
+                                  double max_growth, const std::vector<VertexId>& keep_vertices) {
   InflationVerdict verdict;
   verdict.hyperbolic_before = hyperbolic_vertices(before);
   if (soup.corners != before.soup().corners || soup.offsets != before.soup().offsets ||
@@ -66,6 +75,7 @@ InflationVerdict verify_inflation(const Mesh& before, const PolygonSoup& soup, c
   find_turned_face(before, after, verdict.defects);
   find_new_meeting(before, after, verdict.defects);
   find_moved_vertex(before, after, keep, verdict.defects);
+  find_moved_pin(before, after, keep_vertices, verdict.defects);
   if (!(std::abs(verdict.growth) <= max_growth + 1e-9))
     verdict.defects.push_back(
         fmt::format("the volume changed by {:.6g}, allowed is {:.6g}", verdict.growth, max_growth));

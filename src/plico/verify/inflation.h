@@ -15,9 +15,9 @@ struct InflationVerdict {
 };
 
 // Checks that `after` has the faces of `before` and is a manifold, that no two faces meet which did not before (exact),
-// that no face turned over, that vertices of faces in `keep` are where they were, and that the volume changed by at
-// most `max_growth`. Never throws for a wrong mesh. O(n log n).
+// that no face turned over, that vertices of faces in `keep` and those in `keep_vertices` are where they were, and that
+// the volume changed by at most `max_growth`. Never throws for a wrong mesh. O(n log n).
 InflationVerdict verify_inflation(const Mesh& before, const PolygonSoup& after, const std::vector<FaceId>& keep,
-                                  double max_growth);
+                                  double max_growth, const std::vector<VertexId>& keep_vertices = {});
 
 }  // namespace plico

@@ -35,6 +35,7 @@ export interface Model {
   offsets: Int32Array; // face f has corners offsets[f] .. offsets[f + 1]
   cornerEdges: Int32Array; // the edge from each corner to the next
   corners: Float32Array; // x, y, z of every corner of the mesh
+  vertexOf: Int32Array; // of each corner
   tables: Tables;
 }
 
@@ -64,6 +65,17 @@ export interface JobResult {
 
 export type JobValues = [string, string][];
 
+/** Of the explicit method; what is left out is as the command line has it. */
+export interface InflateOptions {
+  pressure: number; max_growth: number; time_step: number; stiffness: number; stiff_edges: number; anchors: number;
+  deep_angle_deg: number; constrained: boolean; max_steps: number; keep: number[]; keep_vertices: number[];
+}
+export interface Inflated {
+  steps: number; hyperbolic: number; hyperbolic_before: number; growth: number; largest_move: number; ended: boolean; limit: string;
+  corners: Float32Array; // of the mesh as it is now
+  hyperbolicCorners: Uint8Array; // of each corner whether its vertex is hyperbolic
+}
+
 export interface Calls {
   open(name: string, bytes: Uint8Array): { model: Model; snapshot: Snapshot };
   editFor(edge: number): Edit | null;
@@ -75,6 +87,9 @@ export interface Calls {
   fold(time: number): Float32Array;
   project(): Uint8Array;
   mesh(): Uint8Array; // OBJ
+  inflateBegin(options: InflateOptions): Inflated;
+  inflateStep(): Inflated; // ten steps of time, or fewer at the end
+  inflatedMesh(): Uint8Array; // OBJ
   jobs(): JobDescription[];
   net(): Uint8Array; // FOLD, with the motion if it is proven
   job(name: string, values: JobValues, files: Record<string, Uint8Array>): JobResult;

@@ -1,6 +1,6 @@
 // The worker: Plico's module, one model at a time.
 import createPlico from 'plico-module';
-import type { Begin, Calls, Edit, Failure, JobDescription, PackedModule, Reply, Request, Snapshot, Unpacked, Verdict } from './protocol';
+import type { Begin, Calls, Edit, Failure, Inflated, JobDescription, PackedModule, Reply, Request, Snapshot, Unpacked, Verdict } from './protocol';
 import { tablesOf } from './faces';
 import { unpacked } from './lzma';
 import { decoded } from './text91';
@@ -19,6 +19,9 @@ function start(plico: any, report: (phase: string, done: number, total: number, 
   const snapshot = (verdict: Verdict): Snapshot => ({
     flat: editor.flatCorners(), folds: editor.folds(), locks: editor.locks(), parts: editor.parts(), verdict,
   });
+  const inflated = (facts: string): Inflated => ({
+    ...parsed<any>(facts), corners: editor.inflatedCorners(), hyperbolicCorners: editor.hyperbolicCorners(),
+  });
   let verdict: Verdict;
   const calls: Calls = {
     open(name, bytes) {
@@ -30,7 +33,7 @@ function start(plico: any, report: (phase: string, done: number, total: number, 
       isOpen = true;
       const first = snapshot(verdict), offsets = editor.offsets(), cornerEdges = editor.cornerEdges();
       const tables = tablesOf(summary.edges, offsets, cornerEdges, first.flat);
-      return { model: { ...summary, offsets, cornerEdges, corners: editor.meshCorners(), tables }, snapshot: first };
+      return { model: { ...summary, offsets, cornerEdges, corners: editor.meshCorners(), vertexOf: editor.vertices(), tables }, snapshot: first };
     },
     editFor: (edge) => parsed<Edit | null>(editor.editFor(edge)),
     preview(edit) {
@@ -52,6 +55,9 @@ function start(plico: any, report: (phase: string, done: number, total: number, 
     fold: (time) => editor.foldedCorners(time),
     project: () => editor.projectBytes(),
     mesh: () => editor.meshBytes(),
+    inflateBegin: (options) => inflated(editor.inflateBegin(JSON.stringify(options))),
+    inflateStep: () => inflated(editor.inflateStep()),
+    inflatedMesh: () => editor.inflatedBytes(),
     jobs: () => JSON.parse(plico.describeJobs()) as JobDescription[],
     net: () => editor.foldBytes(),
     job(name, values, files) {

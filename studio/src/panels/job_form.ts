@@ -26,10 +26,31 @@ function made<Tag extends keyof HTMLElementTagNameMap>(tag: Tag, className = '',
 const helpOf = (option: JobOption): string =>
   option.help.replace(/[;,] '?-'? (is|for) standard input/, '').replace('; --list shows all', '').replace('; repeatable', '');
 
+const kNumber = /^([-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)\s*([a-z%]*)$/i;
+
+/** "at least 0, at most 90"; nothing where any number is taken. */
+function rangeOf({ minimum, exclusiveMinimum, maximum, exclusiveMaximum }: JobOption): string {
+  const least = minimum !== undefined ? `at least ${minimum}` : exclusiveMinimum !== undefined ? `above ${exclusiveMinimum}` : '';
+  const most = maximum !== undefined ? `at most ${maximum}` : exclusiveMaximum !== undefined ? `below ${exclusiveMaximum}` : '';
+  return [least, most].filter(Boolean).join(', ');
+}
+/** What is wrong with it before the core sees it; a number in another unit than the option's is left to the core. */
+function wrongNumber(option: JobOption, text: string): string {
+  if (!text) return '';
+  const [, number, unit] = kNumber.exec(text) ?? [];
+  if (number === undefined) return `${words(option)}: '${text}' is not a number`;
+  const value = Number(number);
+  if (unit && unit !== option.unit) return '';
+  const { minimum = -Infinity, maximum = Infinity, exclusiveMinimum = -Infinity, exclusiveMaximum = Infinity } = option;
+  const fits = value >= minimum && value <= maximum && value > exclusiveMinimum && value < exclusiveMaximum;
+  return fits ? '' : `${words(option)} = ${text} must be ${rangeOf(option)}`;
+}
+
 interface Field {
   option: JobOption;
   isFile: boolean;
   read: () => string[]; // nothing: as the core has it
+  set?: (value: string) => void;
 }
 
 export class JobForm {
@@ -64,6 +85,10 @@ export class JobForm {
   inputs(): string[] {
     return this.fields.filter((field) => field.isFile).flatMap((field) => field.read());
   }
+  /** Takes this file as the first input. */
+  fill(file: string): void {
+    this.fields.find((field) => field.isFile)?.set?.(file);
+  }
   /** The words of the command line that does the same. */
   command(): string[] {
     const quoted = (word: string): string => (/^[\w@%+=:,./-]+$/.test(word) ? word : `'${word.replaceAll("'", `'\\''`)}'`);
@@ -75,7 +100,7 @@ export class JobForm {
     const kinds = option.positional ? kKindsOfInputs[plain(option).toLowerCase()] : undefined;
     const isFile = kinds !== undefined || option.value === 'FILE';
     const { control, read } = isFile ? this.file(option, kinds) : this.plainControl(option);
-    this.fields.push({ option, isFile, read });
+    this.fields.push({ option, isFile, read, ...(isFile && { set: (value: string) => ((control as HTMLSelectElement).value = value) }) });
     const label = made('label', 'field');
     const name = made('span', 'field-name', words(option));
     if (option.unit) name.append(made('span', 'unit', ` ${option.unit}`));
@@ -84,11 +109,26 @@ export class JobForm {
       line.append(control, name);
       label.append(line);
     } else label.append(name, control);
-    const help = made('span', 'help', helpOf(option));
+    const range = rangeOf(option);
+    const help = made('span', 'help', range ? `${helpOf(option)}; ${range}` : helpOf(option));
     help.id = `help-${this.job.name.replace(' ', '-')}-${plain(option)}`;
     control.setAttribute('aria-describedby', help.id);
     label.append(help);
     return label;
+  }
+
+  /** Up and down in a number, as in a number field; with a unit too. */
+  private nudge(option: JobOption, input: HTMLInputElement, event: KeyboardEvent): void {
+    const way = { ArrowUp: 1, ArrowDown: -1 }[event.key];
+    const [, number, unit] = kNumber.exec(input.value.trim() || option.default) ?? [];
+    if (!way || number === undefined) return;
+    event.preventDefault();
+    const by = 10 ** Math.floor(Math.log10(Math.max(Math.abs(Number(number)), 1e-9)) - 0.999);
+    const step = Number(number) % 1 === 0 && Math.abs(Number(number)) < 100 ? 1 : by;
+    const next = Number((Number(number) + way * step).toPrecision(6));
+    if (wrongNumber(option, `${next}${unit}`)) return;
+    input.value = `${next}${unit}`;
+    input.dispatchEvent(new Event('input', { bubbles: true }));
   }
 
   private file(option: JobOption, kinds?: string[]): { control: HTMLElement; read: () => string[] } {
@@ -118,6 +158,17 @@ export class JobForm {
     }
     input.placeholder = option.default || (option.repeatable ? 'one or more, with spaces' : option.value);
     input.spellcheck = false;
+    const told = (): void => {
+      const wrong = wrongNumber(option, input.value.trim());
+      input.setCustomValidity(wrong);
+      input.setAttribute('aria-invalid', String(wrong !== ''));
+      input.title = wrong;
+    };
+    if (rangeOf(option)) {
+      input.inputMode = 'decimal';
+      input.addEventListener('input', told);
+      input.addEventListener('keydown', (event) => this.nudge(option, input, event));
+    }
     const read = (): string[] => (option.repeatable ? input.value.trim().split(/[\s;]+/) : [input.value.trim()]).filter(Boolean);
     return { control: input, read };
   }

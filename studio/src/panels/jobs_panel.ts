@@ -84,6 +84,16 @@ export class JobsPanel {
     await this.choose(this.session.shape ? 'check' : 'origami make');
   }
 
+  /** A file that another screen made, as the input of a job. */
+  async give(name: string, bytes: Uint8Array, job: string): Promise<void> {
+    await this.shown();
+    this.files.delete(name);
+    this.files.set(name, bytes);
+    await this.choose(job);
+    this.form?.fill(name);
+    this.showCommand();
+  }
+
   async choose(name: string): Promise<void> {
     const job = this.jobs.find((one) => one.name === name);
     if (!job) return;

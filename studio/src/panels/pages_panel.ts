@@ -1,17 +1,26 @@
 // Pages to print, as the print job lays them out, and everything that can be taken away as a file.
-import type { JobValues } from '../core/protocol';
+import type { JobResult, JobValues } from '../core/protocol';
 import { byId, download } from '../page';
 import type { Session } from '../session';
+import { keyOf, middleOf, polygonsOf, putOf, straightening, turned, type Kept, type PartPlace } from './page_parts';
+import { PageView } from './page_view';
 
 type Guarded = (work: () => Promise<void>) => Promise<void>;
 
 const kTabSides = ['auto', 'alternate', 'left', 'right', 'both', 'none'];
 const kExports = [['html', 'folding page'], ['glb', 'animation (glTF)'], ['urdf', 'robot (URDF)'], ['xml', 'robot (MuJoCo)'], ['csv', 'angles (CSV)']] as const;
 const kStyles = ['paper', 'origami', 'laser', 'bw'];
+const kTurn = 15, kSmallTurn = 1; // degrees
+const kMove = 1, kLargeMove = 10; // millimetres
 
 export class PagesPanel {
   private fresh = false; // the pages shown are of the net as it is
-  private urls: string[] = [];
+  private views: PageView[] = [];
+  private kept: Kept = new Map();
+  private parts: PartPlace[] = []; // as the pages shown have them
+  private scale = 1; // millimetres per unit of the model
+  private ownChange = false; // what was edited is where parts lie
+  private focused = '';
 
   constructor(private readonly session: Session, private readonly guarded: Guarded) {
     const form = byId<HTMLFormElement>('page-form');
@@ -19,9 +28,11 @@ export class PagesPanel {
       for (const choice of choices) (form.elements.namedItem(name) as HTMLSelectElement).append(new Option(choice, choice));
     form.addEventListener('submit', (e) => {
       e.preventDefault();
-      void this.layOut();
+      void this.layOut(this.byHand());
     });
-    form.addEventListener('change', () => void this.layOut());
+    form.addEventListener('change', () => void this.layOut(this.byHand()));
+    byId('repack').addEventListener('click', () => void this.keep('lay all out anew', new Map()));
+    byId('repack-others').addEventListener('click', () => void this.keep('lay the others out anew', this.byHand()));
     this.offer('PDF', () => this.pages('pdf'));
     this.offer('SVG', () => this.pages('svg'));
     this.offer('DXF', () => this.pages('dxf'));
@@ -32,9 +43,17 @@ export class PagesPanel {
 
   newModel(): void {
     this.fresh = false;
+    this.kept = new Map();
+    this.parts = [];
   }
+  /** Places set by hand stay with parts that are the same; the others lie where there is room. */
   edited(): void {
+    if (!this.ownChange) this.kept = this.byHand();
+    this.ownChange = false;
     this.fresh = false;
+  }
+  private byHand(): Kept {
+    return new Map([...this.kept].filter(([, { byHand }]) => byHand));
   }
   shown(): Promise<void> {
     return this.fresh ? Promise.resolve() : this.layOut();
@@ -51,9 +70,29 @@ export class PagesPanel {
     for (const name of ['page', 'tabs', 'style']) values.push([name, String(form.get(name))]);
     if (form.get('longest')) values.push(['longest', `${String(form.get('longest'))}mm`]);
     if (form.get('split')) values.push(['split', 'true']);
+    const { parts, panels } = this.partsOfNet();
+    for (const [key, place] of this.kept)
+      if (form.get('split') || panels.has(key)) values.push(['put', putOf({ ...place, page: Math.min(place.page, parts) })]);
     const result = await this.session.job('print', values, { [net]: await this.session.net() });
-    byId('page-report').textContent = result.messages.filter((m) => m.tone !== 'detail').map((m) => m.text.trim()).join('\n');
+    this.tell(result);
+    const print = result.report['print'] as { places: PartPlace[]; scale_mm_per_unit: number };
+    this.parts = print.places;
+    this.scale = print.scale_mm_per_unit;
     return result.files;
+  }
+  /** What is wrong first, and once; what --up would change is for the command line. */
+  private tell({ messages }: JobResult): void {
+    const lines = (wanted: boolean): string => [...new Set(messages.filter((m) => m.tone !== 'detail' && (m.tone === 'warning') === wanted).map((m) => m.text.trim()))]
+      .filter((text) => !text.includes('--up ')).join('\n');
+    const alarm = document.createElement('strong');
+    alarm.textContent = lines(true);
+    byId('page-report').replaceChildren(alarm, ...(alarm.textContent ? ['\n'] : []), lines(false));
+  }
+  /** The parts that the net has now, as keys of places. */
+  private partsOfNet(): { parts: number; panels: Set<string> } {
+    const byPart: number[][] = [];
+    this.session.shape!.snapshot.parts.forEach((part, face) => (byPart[part] ??= []).push(face));
+    return { parts: Math.max(byPart.length, this.parts.length), panels: new Set(byPart.map((faces) => faces.join(' '))) };
   }
   private async exported(kind: string): Promise<Record<string, Uint8Array>> {
     const net = `${this.name()}.fold`;
@@ -61,19 +100,62 @@ export class PagesPanel {
     return result.files;
   }
 
-  private layOut(): Promise<void> {
+  private layOut(kept: Kept = this.kept): Promise<void> {
     return this.guarded(async () => {
+      this.kept = kept;
       const files = await this.pages('svg');
-      this.urls.forEach((url) => URL.revokeObjectURL(url));
-      this.urls = Object.values(files).map((svg) => URL.createObjectURL(new Blob([svg as Uint8Array<ArrayBuffer>], { type: 'image/svg+xml' })));
-      byId('pages').replaceChildren(...this.urls.map((url, i) => {
-        const image = document.createElement('img');
-        image.src = url;
-        image.alt = `Page ${i + 1} of ${this.urls.length}`;
-        return image;
+      this.views.forEach((view) => view.dispose());
+      this.views = Object.values(files).map((svg, i, all) => new PageView(i + 1, all.length, svg, {
+        drop: (part, page, dx, dy) => void this.move(part, page, dx, dy), turn: (part, by) => void this.turn(part, by),
+        key: (part, event) => this.key(part, event),
       }));
+      byId('pages').replaceChildren(...this.views.map((view) => view.element));
+      for (const part of this.parts) {
+        const shown = this.views[part.page - 1]?.add(part, polygonsOf(this.session.shape!, part, this.scale), this.kept.get(keyOf(part))?.byHand ?? false);
+        if (keyOf(part) === this.focused) shown?.focus({ preventScroll: true });
+      }
+      byId('repack').hidden = byId('repack-others').hidden = !this.byHand().size;
       this.fresh = true;
     });
+  }
+
+  // --- by hand
+
+  /** One step that can be undone: from now on the parts lie like this. */
+  private async keep(name: string, kept: Kept): Promise<void> {
+    const before = this.kept;
+    const set = (to: Kept) => (): void => {
+      this.kept = to;
+      this.ownChange = true;
+    };
+    await this.session.own(name, set(kept), set(before));
+  }
+  private place(part: PartPlace, moved: PartPlace, name: string): Promise<void> {
+    const kept = new Map(this.parts.map((p) => [keyOf(p), { ...p, byHand: this.kept.get(keyOf(p))?.byHand ?? false }]));
+    kept.set(keyOf(part), { ...moved, byHand: true });
+    this.focused = keyOf(part);
+    return this.keep(`${name} part ${part.part}`, kept);
+  }
+  private move(part: PartPlace, page: number, dx: number, dy: number): Promise<void> {
+    return this.place(part, { ...part, page, x: part.x + dx, y: part.y + dy }, page === part.page ? 'move' : 'send to another page:');
+  }
+  private turn(part: PartPlace, degrees: number): Promise<void> {
+    const middle = middleOf(polygonsOf(this.session.shape!, part, this.scale));
+    return this.place(part, turned(part, degrees, middle), 'turn');
+  }
+  private key(part: PartPlace, event: KeyboardEvent): boolean {
+    const far = event.shiftKey ? kLargeMove : kMove;
+    const by = (dx: number, dy: number) => () => this.move(part, part.page, dx, dy);
+    const actions: Record<string, () => unknown> = {
+      ArrowLeft: by(-far, 0), ArrowRight: by(far, 0), ArrowUp: by(0, far), ArrowDown: by(0, -far),
+      r: () => this.turn(part, kTurn), R: () => this.turn(part, -kTurn), '[': () => this.turn(part, kSmallTurn), ']': () => this.turn(part, -kSmallTurn),
+      s: () => this.turn(part, straightening(polygonsOf(this.session.shape!, part, this.scale))),
+      PageUp: () => part.page > 1 && this.move(part, part.page - 1, 0, 0),
+      PageDown: () => part.page < this.parts.length && this.move(part, part.page + 1, 0, 0),
+      u: () => this.keep(`let part ${part.part} go`, new Map([...this.byHand()].filter(([key]) => key !== keyOf(part)))),
+    };
+    actions[event.key]?.();
+    return event.key in actions;
   }
 
   private offer(label: string, make: () => Promise<Record<string, Uint8Array>>): void {

@@ -8,7 +8,8 @@ export interface Place {
 export interface Gestures {
   point(at: Place | undefined): void; // nothing is under a pointer that left
   click(at: Place, event: PointerEvent): void;
-  drag(dx: number, dy: number): void;
+  drag(dx: number, dy: number, to: Place): void;
+  press?(at: Place): void; // the first finger or the button goes down
   /** Larger than 1: nearer; around a place of the canvas. */
   zoom(factor: number, around: Place): void;
 }
@@ -29,13 +30,14 @@ export function listen(canvas: HTMLCanvasElement, gestures: Gestures): void {
     canvas.setPointerCapture(event.pointerId);
     down.set(event.pointerId, place(event));
     travelled = down.size > 1 ? Infinity : 0;
+    if (down.size === 1) gestures.press?.(place(event));
   });
   canvas.addEventListener('pointermove', (event) => {
     const to = place(event), from = down.get(event.pointerId);
     if (!from) return gestures.point(to);
     const other = [...down].find(([id]) => id !== event.pointerId)?.[1];
     if (other) gestures.zoom(distance(to, other) / Math.max(1, distance(from, other)), other);
-    else gestures.drag(to.x - from.x, to.y - from.y);
+    else gestures.drag(to.x - from.x, to.y - from.y, to);
     travelled += distance(from, to);
     down.set(event.pointerId, to);
   });

@@ -42,6 +42,12 @@ export class Shape {
     return b < 0 ? a : corner === a ? b : a;
   }
 
+  /** Pairs of corners: every edge of the mesh. */
+  edgesOnce(): Uint32Array {
+    const { edgeCorners, next, model: { edges } } = this, ends = new Uint32Array(2 * edges);
+    for (let e = 0; e < edges; ++e) ends[2 * e] = edgeCorners[2 * e]!, ends[2 * e + 1] = next[edgeCorners[2 * e]!]!;
+    return ends;
+  }
   /** Pairs of corners: each fold once, each cut as often as there are copies of it. */
   lines(): { folds: Uint32Array; cuts: Uint32Array } {
     const { next, edgeCorners, model: { cornerEdges }, snapshot } = this;

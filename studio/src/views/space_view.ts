@@ -8,9 +8,27 @@ export interface SpaceColors {
   front: number[]; back: number[]; ink: number[]; alarm: number[]; accent: number[]; fold: number[];
 }
 
+/** What is shown on a model besides itself: marks of its corners, and small beads at some of them, marked alike. */
+export interface Decor {
+  marks: Float32Array;
+  corners: number[];
+  kinds: number[]; // gl_mesh.ts: alarmed, pointed at, selected
+}
+/** A pointer that marks instead of turning the model: the ids of faces or vertices as it goes over them. */
+export interface Brush {
+  what: 'faces' | 'vertices';
+  begin: () => void;
+  paint: (id: number) => void;
+}
+
 type Vec = [number, number, number];
 
 const kPixelsPerRadian = 150;
+const kBead = 0.014; // of the model's radius
+const kReach = 16; // pixels between the pointer and a vertex
+// An octahedron: places about its middle, and corners of its faces.
+const kBeadPoints = [[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]] as const;
+const kBeadFaces = [0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5];
 
 const minus = (a: Vec, b: Vec): Vec => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 const dot = (a: Vec, b: Vec): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -28,6 +46,8 @@ export class SpaceView {
   private chosen = false; // by someone, who wants to keep it
   readonly redraw = onceAFrame(() => this.draw());
   private edge = -1;
+  private decor?: Decor;
+  private brush?: Brush;
 
   constructor(
     private readonly canvas: HTMLCanvasElement, painter: string, private readonly colors: () => SpaceColors,
@@ -43,34 +63,78 @@ export class SpaceView {
         const edge = this.edgeAt(at.x, at.y);
         if (edge >= 0) this.onClick(edge, event);
       },
-      drag: (dx, dy) => this.turn(dx / kPixelsPerRadian, dy / kPixelsPerRadian),
+      drag: (dx, dy, at) => (this.brush ? this.stroke(at) : this.turn(dx / kPixelsPerRadian, dy / kPixelsPerRadian)),
+      press: (at) => this.brush && (this.brush.begin(), this.stroke(at)),
       zoom: (factor) => this.zoom(1 / factor),
     });
   }
 
   /** A new model, or the same after an edit; `at` are the places of its corners. */
-  show(shape: Shape, at: Float32Array, reframe: boolean): void {
+  show(shape: Shape, at: Float32Array, reframe: boolean, whole = false): void {
     this.shape = shape;
+    this.whole = whole;
     this.at = at;
     if (reframe) this.frame(at);
     const { mesh } = this;
     if (!mesh) return;
-    const marks = new Float32Array(at.length / 3);
-    for (const f of shape.overlapping) marks.fill(1, shape.model.offsets[f]!, shape.model.offsets[f + 1]!);
-    mesh.setMarks(marks);
-    mesh.setTriangles(shape.triangles);
-    const { folds, cuts } = shape.lines();
+    const { folds, cuts } = whole ? { folds: new Uint32Array(), cuts: shape.edgesOnce() } : shape.lines();
     mesh.setLines('folds', folds);
     mesh.setLines('cuts', cuts);
+    this.dress();
     this.point(this.edge < shape.model.edges ? this.edge : -1);
     this.place(at);
+  }
+  private whole = false; // as a mesh, not as a net
+
+  /** Shown until something else is; the beads follow the corners. */
+  decorate(decor: Decor | undefined): void {
+    this.decor = decor;
+    this.dress();
+  }
+  private dress(): void {
+    const { shape, mesh, decor } = this;
+    if (!shape || !mesh) return;
+    const own = shape.faceOf.length, marks = new Float32Array(own + 6 * (decor?.corners.length ?? 0));
+    if (decor) marks.set(decor.marks);
+    else if (!this.whole) for (const f of shape.overlapping) marks.fill(1, shape.model.offsets[f]!, shape.model.offsets[f + 1]!);
+    decor?.kinds.forEach((kind, i) => marks.fill(kind, own + 6 * i, own + 6 * i + 6));
+    mesh.setMarks(marks);
+    const beads = decor?.corners.length ?? 0, triangles = new Uint32Array(shape.triangles.length + 24 * beads);
+    triangles.set(shape.triangles);
+    for (let i = 0; i < beads; ++i) kBeadFaces.forEach((p, k) => (triangles[shape.triangles.length + 24 * i + k] = own + 6 * i + p));
+    mesh.setTriangles(triangles);
   }
 
   place(at: Float32Array): void {
     this.at = at;
     if (!this.chosen) this.distance *= Math.max(1, this.largest(at) / 0.96); // panels on their way stay in view
-    this.mesh?.setPlaces(at);
+    this.mesh?.setPlaces(this.withBeads(at));
     this.redraw();
+  }
+  private withBeads(at: Float32Array): Float32Array {
+    const { decor } = this;
+    if (!decor?.corners.length) return at;
+    const all = new Float32Array(at.length + 18 * decor.corners.length), size = kBead * this.radius;
+    all.set(at);
+    decor.corners.forEach((c, i) => kBeadPoints.forEach((p, k) => {
+      for (let axis = 0; axis < 3; ++axis) all[at.length + 18 * i + 3 * k + axis] = at[3 * c + axis]! + size * p[axis]!;
+    }));
+    return all;
+  }
+
+  setBrush(brush: Brush | undefined): void {
+    this.brush = brush;
+    this.canvas.style.cursor = brush ? 'crosshair' : '';
+  }
+  private stroke({ x, y }: { x: number; y: number }): void {
+    const face = this.faceAt(x, y), { shape, brush } = this;
+    if (!shape || !brush || face < 0) return;
+    if (brush.what === 'faces') return brush.paint(face);
+    const { offsets, vertexOf } = shape.model;
+    for (let c = offsets[face]!; c < offsets[face + 1]!; ++c) {
+      const [px, py] = this.onCanvas(this.corner(c));
+      if (Math.hypot(px - x, py - y) < kReach) brush.paint(vertexOf[c]!);
+    }
   }
 
   point(edge: number): void {
@@ -78,7 +142,7 @@ export class SpaceView {
     const { shape } = this;
     if (!shape || !this.mesh) return;
     const ends: number[] = [];
-    for (const c of edge < 0 ? [] : [shape.edgeCorners[2 * edge]!, shape.edgeCorners[2 * edge + 1]!]) if (c >= 0) ends.push(c, shape.next[c]!);
+    for (const c of edge < 0 || this.whole ? [] : [shape.edgeCorners[2 * edge]!, shape.edgeCorners[2 * edge + 1]!]) if (c >= 0) ends.push(c, shape.next[c]!);
     this.mesh.setLines('pointed at', new Uint32Array(ends));
     this.redraw();
   }

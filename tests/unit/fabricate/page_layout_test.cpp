@@ -47,6 +47,42 @@ TEST(PageLayout, EveryShapeIsSoundAtTwoSizes) {
   }
 }
 
+// The cube's faces as six parts, so that there is much to place.
+LayoutResult cube_in_six(const std::vector<PanelPlace>& places) {
+  const Mesh mesh = cube();
+  LayoutOptions options = of_longest(40);
+  options.places = places;
+  return lay_out_pages(lay_flat(mesh, FoldForest{std::vector<char>(mesh.num_edges(), 0)}), folded_shape(mesh), options);
+}
+
+TEST(PageLayout, APartLiesWhereItIsToldAndTheOthersGoAround) {
+  const LayoutResult result = cube_in_six({{.panel = 3, .page = 1, .at = {100, 120}, .angle = radians(30)}});
+  EXPECT_THAT(verify_layout(result.layout).problems, IsEmpty());
+  const PlacedPart& part = result.layout.parts[result.report.printed_part[3]];
+  const std::vector<Vec2>& corners = part.panels[0].corners;
+  EXPECT_EQ(part.page, 1);
+  EXPECT_NEAR((corners[0] - Vec2(100, 120)).norm(), 0, 1e-9);
+  EXPECT_NEAR((corners[1] - corners[0]).normalized().y(), 0.5, 1e-9);
+}
+
+TEST(PageLayout, WhatItTellsOfPlacesLaysTheSamePage) {
+  const LayoutResult first = cube_in_six({});
+  const LayoutResult again = cube_in_six(first.report.places);
+  ASSERT_EQ(again.report.pages, first.report.pages);
+  for (std::size_t p = 0; p < first.layout.parts.size(); ++p)
+    for (std::size_t i = 0; i < 4; ++i)
+      EXPECT_NEAR((again.layout.parts[p].panels[0].corners[i] - first.layout.parts[p].panels[0].corners[i]).norm(), 0,
+                  1e-9);
+}
+
+TEST(PageLayout, PlacesThatOverlapOrLeaveThePaperAreToldByTheJudge) {
+  const PanelPlace a{.panel = 0, .page = 0, .at = {80, 80}}, b{.panel = 1, .page = 0, .at = {90, 90}};
+  EXPECT_GT(verify_layout(cube_in_six({a, b}).layout).overlaps, 0);
+  EXPECT_GT(verify_layout(cube_in_six({{.panel = 0, .page = 0, .at = {2, 150}}}).layout).off_page, 0);
+  EXPECT_THROW(cube_in_six({{.panel = 6}}), InvalidOption);
+  EXPECT_THROW(cube_in_six({{.panel = 0, .page = 6}}), InvalidOption);
+}
+
 TEST(PageLayout, TheCubeHasSevenTabsOfFullDepth) {
   const LayoutReport report = cube_sheet(of_longest(40)).report;
   EXPECT_EQ(report.tabs.full, 7);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "plico/base/error.h"
+#include "plico/inflate/explicit.h"
 #include "plico/shapes/creature.h"
 #include "plico/shapes/shapes.h"
 #include "plico/verify/inflation.h"
@@ -67,6 +68,38 @@ TEST(Inflate, StepsOfTimeEndToo) {
   const Mesh bird = small_bird();
   const Inflation result = inflate(bird, {.method = InflateMethod::Explicit, .pressure = 0.1, .max_steps = 100});
   EXPECT_TRUE(verify_inflation(bird, with_points(bird, result.points), {}, 0.05).valid());
+}
+
+InflateOptions balloon(int steps) {
+  return {.method = InflateMethod::Explicit, .max_growth = 2, .pressure = 0.05, .max_steps = steps};
+}
+
+TEST(Inflate, StepsOfTimeOneByOneAreTheStepsAtOnce) {
+  const Mesh bird = small_bird();
+  ExplicitInflation slow(bird, balloon(35));
+  std::vector<int> steps;
+  while (slow.advance()) steps.push_back(slow.result().steps);
+  EXPECT_EQ(steps, (std::vector<int>{10, 20, 30}));
+  EXPECT_EQ(slow.result().steps, 35);
+  EXPECT_EQ(slow.result().points, inflate(bird, balloon(35)).points);
+  EXPECT_NE(slow.result().points, bird.soup().points);
+}
+
+TEST(Inflate, PinnedVerticesStayWhereTheyAre) {
+  const Mesh bird = small_bird();
+  const std::vector<VertexId> pins{VertexId(2), VertexId(17)};
+  InflateOptions options = balloon(20);
+  const auto verdict = [&] {
+    return verify_inflation(bird, with_points(bird, inflate(bird, options).points), {}, options.max_growth, pins);
+  };
+  EXPECT_FALSE(verdict().valid());
+  options.keep_vertices = pins;
+  EXPECT_TRUE(verdict().valid());
+  options.method = InflateMethod::Minimize;
+  options.stronger.clear();
+  EXPECT_TRUE(verdict().valid());
+  options.keep_vertices = {VertexId(bird.num_vertices())};
+  EXPECT_THROW(inflate(bird, options), InvalidOption);
 }
 
 TEST(Inflate, AMeshWithABoundaryOrPolygonsIsRefused) {

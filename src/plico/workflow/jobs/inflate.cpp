@@ -21,20 +21,21 @@ namespace {
 
 struct InflateArgs {
   std::string mesh, repair = "safe", method = "minimize", until = "0", growth = "5%", flattening = "auto";
-  std::vector<std::string> keep;
+  std::vector<std::string> keep, keep_vertices;
   bool uniform = false;
   InflateOptions options;
 };
 
-std::vector<FaceId> kept_faces(const std::vector<std::string>& words) {
-  std::vector<FaceId> faces;
+template <class Id>
+std::vector<Id> numbered(const char* option, const char* what, const std::vector<std::string>& words) {
+  std::vector<Id> ids;
   for (const std::string& word : words) {
-    const double number = share_or_number("keep", word, 1);
+    const double number = share_or_number(option, word, 1);
     if (word.ends_with('%') || number != std::floor(number))
-      throw InvalidOption(fmt::format("keep = {} must be the number of a face, from 0", word));
-    faces.emplace_back(static_cast<int>(number));
+      throw InvalidOption(fmt::format("{} = {} must be the number of a {}, from 0", option, word, what));
+    ids.emplace_back(static_cast<int>(number));
   }
-  return faces;
+  return ids;
 }
 
 MeshFormat format_of_output(const std::string& path) {
@@ -78,7 +79,8 @@ int inflate_file(InflateArgs& args, Session& session) {
   options.max_growth = share_or_number("max-growth", args.growth, 1);
   options.method = args.method == "explicit" ? InflateMethod::Explicit : InflateMethod::Minimize;
   options.skin.constrained = !args.uniform;
-  options.keep = kept_faces(args.keep);
+  options.keep = numbered<FaceId>("keep", "face", args.keep);
+  options.keep_vertices = numbered<VertexId>("keep-vertex", "vertex", args.keep_vertices);
   if (args.flattening != "auto") {
     options.skin.flattening = share_or_number("flattening", args.flattening, 1);
     options.stronger.clear();
@@ -88,7 +90,8 @@ int inflate_file(InflateArgs& args, Session& session) {
   const Inflation result = inflate(mesh, options, session.run());
   PolygonSoup soup = mesh.soup();
   soup.points = result.points;
-  const InflationVerdict verdict = verify_inflation(mesh, soup, options.keep, options.max_growth);
+  const InflationVerdict verdict =
+      verify_inflation(mesh, soup, options.keep, options.max_growth, options.keep_vertices);
   session.report().update(report_of(result, verdict));
   for (const std::string& defect : verdict.defects) session.warn(defect);
   if (!verdict.valid()) return kInternal;
@@ -119,12 +122,22 @@ Job inflate_job() {
       .option("--pressure", "P", "stop at this pressure; 0: where the other limits stop it", args->options.pressure,
               at_least(0))
       .option("--keep", "FACE", "number of a face that must not move, from 0; repeatable", args->keep)
+      .option("--keep-vertex", "VERTEX", "number of a vertex that must not move, from 0; repeatable",
+              args->keep_vertices)
       .flag("--uniform", "no edge is stiff and no vertex is drawn back to its place", args->uniform)
       .option("--flattening", "W",
               "how strongly angles above 360 degrees are pressed out; 0: only by air; auto: the best of 1, 8 and 64",
               args->flattening)
       .choice("--method", "minimize the energy, or add up forces step by step as the dissertation does", args->method,
               {"minimize", "explicit"})
+      .option("--stiffness", "E", "of the edges: how hard they pull back", args->options.skin.edge_stiffness, above(0))
+      .option("--stiff-edges", "K", "how much stiffer convex and deep concave edges are, so that features stay",
+              args->options.skin.stiff_edges, at_least(1))
+      .angle("--deep-angle", "a valley that folds by more is deep, and kept", args->options.skin.deep_angle, {0, 180})
+      .option("--anchors", "E", "how hard vertices are drawn back to where they were",
+              args->options.skin.anchor_stiffness, at_least(0))
+      .option("--time-step", "T", "of the explicit method", args->options.time_step, above(0))
+      .option("--max-steps", "N", "of the explicit method", args->options.max_steps, at_least(1))
       .action([args](Session& session) { return inflate_file(*args, session); });
   add_repair_option(job, args->repair);
   return job;

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -9,6 +11,7 @@
 #include <optional>
 
 #include "plico/base/error.h"
+#include "plico/base/units.h"
 #include "plico/fabricate/fabricate.h"
 #include "plico/fold/open_slits.h"
 #include "plico/io/page/drawing.h"
@@ -30,7 +33,42 @@ namespace {
 struct NetArgs {
   std::string net;
   PrintArgs print;
+  std::vector<std::string> put;
 };
+
+// "PANEL,PAGE,X,Y,ANGLE": pages from 1, millimetres, degrees.
+PanelPlace panel_place(const std::string& text) {
+  std::array<double, 5> numbers{};
+  std::size_t from = 0;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const std::size_t comma = std::min(text.find(',', from), text.size());
+    const char* const end = text.data() + comma;
+    const auto read = std::from_chars(text.data() + from, end, numbers[i]);
+    const bool last = i + 1 == numbers.size();
+    if (read.ec != std::errc() || read.ptr != end || !std::isfinite(numbers[i]) || last != (comma == text.size()) ||
+        (i < 2 && (numbers[i] != std::floor(numbers[i]) || std::abs(numbers[i]) > 1e9)))
+      throw InvalidOption(fmt::format("--put: '{}' is not PANEL,PAGE,X,Y,ANGLE", text), "--put 17,1,40,120,90");
+    from = comma + 1;
+  }
+  return {static_cast<int>(numbers[0]), static_cast<int>(numbers[1]) - 1, Vec2(numbers[2], numbers[3]),
+          radians(numbers[4])};
+}
+
+nlohmann::json json_of_places(const LayoutReport& report) {
+  nlohmann::json places = nlohmann::json::array();
+  for (std::size_t p = 0; p < report.places.size(); ++p) {
+    const PanelPlace& place = report.places[p];
+    places.push_back({{"part", report.part_names[p]},
+                      {"page", place.page + 1},
+                      {"panel", place.panel},
+                      {"x", place.at.x()},
+                      {"y", place.at.y()},
+                      {"angle_deg", degrees(place.angle)},
+                      {"panels", nlohmann::json::array()}});
+  }
+  for (std::size_t f = 0; f < report.printed_part.size(); ++f) places[report.printed_part[f]]["panels"].push_back(f);
+  return places;
+}
 
 // What the file knows about the finished model; a file without a folded form has only its flat size.
 FoldedShape shape_of(FoldFile& file, const std::optional<PartsClaim>& parts, const NetArgs& args,
@@ -76,6 +114,7 @@ void open_slits_of(Unfolding& net) {
 
 int print(const NetArgs& args, Session& session) {
   LayoutOptions options = layout_options(args.print);
+  for (const std::string& text : args.put) options.places.push_back(panel_place(text));
   const std::string name = stem(args.net);
   const std::vector<std::string> outputs = session.outputs(name + ".pdf");
   for (const std::string& path : outputs) require_kind(path);
@@ -97,6 +136,8 @@ int print(const NetArgs& args, Session& session) {
   const LayoutVerdict verdict = verify_layout(result.layout);
   session.report()["print"] = json_of(result.report);
   session.report()["print"]["overlaps"] = verdict.overlaps;
+  session.report()["print"]["off_page"] = verdict.off_page;
+  session.report()["print"]["places"] = json_of_places(result.report);
   const DrawOptions how = draw_options(args.print, name);
   const std::vector<Drawing> pages = draw(result.layout, how, plain_paint(file.net.sheet, colors_of(file)));
   for (const std::string& path : outputs) write_pages(session, path, pages, how.title);
@@ -116,6 +157,11 @@ Job print_job() {
                "a large model for a class: parts cut to fit, marks to build by")
       .positional("net", "net or crease pattern: FOLD, .cp, .opx, .ori or SVG; '-' is standard input", args->net);
   add_print_options(job, args->print);
+  job.option(
+      "--put", "PANEL,PAGE,X,Y,ANGLE",
+      "lay the part with this panel on this page, its first corner X and Y mm from the lower left, its first side "
+      "at ANGLE degrees; the report tells where parts lie; repeatable",
+      args->put);
   job.action([args](Session& session) { return print(*args, session); });
   return job;
 }

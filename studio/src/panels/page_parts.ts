@@ -1,0 +1,59 @@
+// Where parts lie on their pages: what the core tells of it, what someone moved by hand, and the shapes to take hold of.
+import type { Shape } from '../views/shape';
+
+/** One panel of a part on a page: its first corner in millimetres from the lower left, its first side's direction in degrees. */
+export interface Place {
+  panel: number;
+  page: number; // from 1
+  x: number;
+  y: number;
+  angle_deg: number;
+}
+export interface PartPlace extends Place {
+  part: string;
+  panels: number[];
+}
+/** A place is kept for a part of the same panels, whatever else becomes of the net. */
+export type Kept = ReadonlyMap<string, Place & { byHand: boolean }>;
+
+export const keyOf = ({ panels }: PartPlace): string => panels.join(' ');
+export const putOf = ({ panel, page, x, y, angle_deg }: Place): string => [panel, page, x, y, angle_deg].join(',');
+const radians = (degrees: number): number => (degrees * Math.PI) / 180;
+
+/** The panels of a part as they lie: x, y of each corner in millimetres, y upwards. */
+export function polygonsOf(shape: Shape, place: PartPlace, scale: number): [number, number][][] {
+  const { flat } = shape.snapshot, { offsets } = shape.model;
+  const c = offsets[place.panel]!, [x, y] = [flat[2 * c]!, flat[2 * c + 1]!];
+  const turn = radians(place.angle_deg) - Math.atan2(flat[2 * c + 3]! - y, flat[2 * c + 2]! - x);
+  const cos = scale * Math.cos(turn), sin = scale * Math.sin(turn);
+  return place.panels.map((f) => {
+    const polygon: [number, number][] = [];
+    for (let i = offsets[f]!; i < offsets[f + 1]!; ++i) {
+      const u = flat[2 * i]! - x, v = flat[2 * i + 1]! - y;
+      polygon.push([place.x + cos * u - sin * v, place.y + sin * u + cos * v]);
+    }
+    return polygon;
+  });
+}
+
+export function middleOf(polygons: [number, number][][]): [number, number] {
+  const xs = polygons.flat().map((p) => p[0]), ys = polygons.flat().map((p) => p[1]);
+  const least = (of: number[]): number => of.reduce((a, b) => Math.min(a, b)), most = (of: number[]): number => of.reduce((a, b) => Math.max(a, b));
+  return [(least(xs) + most(xs)) / 2, (least(ys) + most(ys)) / 2];
+}
+
+export function turned<P extends Place>(place: P, degrees: number, [x, y]: [number, number]): P {
+  const cos = Math.cos(radians(degrees)), sin = Math.sin(radians(degrees)), u = place.x - x, v = place.y - y;
+  return { ...place, x: x + cos * u - sin * v, y: y + sin * u + cos * v, angle_deg: place.angle_deg + degrees };
+}
+
+/** By how many degrees to turn so that the longest side lies along the paper. */
+export function straightening(polygons: [number, number][][]): number {
+  let longest = 0, angle = 0;
+  for (const polygon of polygons)
+    polygon.forEach(([x, y], i) => {
+      const [u, v] = polygon[(i + 1) % polygon.length]!, length = Math.hypot(u - x, v - y);
+      if (length > longest * (1 + 1e-9)) longest = length, angle = (Math.atan2(v - y, u - x) * 180) / Math.PI;
+    });
+  return Math.round(angle / 90) * 90 - angle;
+}
