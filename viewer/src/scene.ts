@@ -32,6 +32,41 @@ interface Extent extends Place {
   radius: number;
 }
 
+// A thick hinge: the sides of its panels, flat, from its beginning to its end and back, and the way to its left panel.
+interface Joint {
+  hinge: number;
+  left: { panel: number; ends: [number, number][] };
+  right: { panel: number; ends: [number, number][] };
+  across: [number, number];
+  roll: number;
+}
+const kStripTriangles = [[0, 1, 5], [0, 5, 4], [4, 5, 2], [4, 2, 3]] as const;
+
+function jointsOf(model: Model): Joint[] {
+  const { hinges, panels } = model.data;
+  const side = (panel: number, x: number, y: number): [number, number][] => {
+    const outline = panels[panel]!;
+    const n = outline.length;
+    const ends = (i: number): [number, number][] =>
+      [[outline[i]!, outline[i + 1]!], [outline[(i + 2) % n]!, outline[(i + 3) % n]!]];
+    const away = (i: number): number => {
+      const [a, b] = ends(i);
+      return Math.hypot(a![0] + b![0] - x, a![1] + b![1] - y);
+    };
+    let nearest = 0;
+    for (let i = 2; i < n; i += 2) if (away(i) < away(nearest)) nearest = i;
+    return ends(nearest);
+  };
+  return hinges.flatMap(({ left, right, from, to, roll }, hinge) => {
+    if (!roll) return [];
+    const [x, y] = [from[0] + to[0], from[1] + to[1]];
+    const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
+    const across: [number, number] = [-(to[1] - from[1]) / length, (to[0] - from[0]) / length];
+    return [{ hinge, roll, across, left: { panel: left, ends: side(left, x, y) }, right: { panel: right, ends: side(right, x, y) } }];
+  });
+}
+const turned = (m: Pose, [x, y]: [number, number]): Vec => [m[0]! * x + m[1]! * y, m[3]! * x + m[4]! * y, m[6]! * x + m[7]! * y];
+
 const kHome = { azimuth: -0.6, elevation: 0.62, zoom: 1 };
 const kFieldOfView = 0.42;
 const kMargin = 0.92; // of the view that the sphere around everything fills, at home
@@ -45,6 +80,7 @@ export class Scene {
   private camera = { ...kHome };
   private readonly raster = new Raster();
   private readonly surfaces: Surfaces;
+  private readonly joints: readonly Joint[];
   private readonly buffer = document.createElement('canvas');
   private readonly places: Place[] = [];
   private readonly typicalSide: number;
@@ -67,6 +103,7 @@ export class Scene {
     this.typicalSide = model.typicalSide();
     this.painted = (model.data.colors ?? []).map(rgbOf);
     this.surfaces = new Surfaces(model.data);
+    this.joints = jointsOf(model);
     this.listen();
     new ResizeObserver(() => this.redraw()).observe(canvas);
   }
@@ -170,6 +207,7 @@ export class Scene {
     const extent = this.extent(poses);
     const project = this.aim(raster.width, raster.height, extent);
     this.drawPanels(poses, project, scale);
+    this.drawJoints(poses, project, scale);
     if (this.showLines) this.drawLines(poses, project, scale, extent.radius);
     this.present();
     this.drawShadow(poses, extent);
@@ -225,6 +263,25 @@ export class Scene {
     });
   }
 
+  // What joins the trimmed panels of thick hinges, as src/plico/io/motion/render.cpp draws it: a strip between their
+  // mid-planes that gives way outwards a little, striped where it is a valley.
+  private drawJoints(poses: Pose[], project: (p: Vec) => Vec, scale: number): void {
+    this.joints.forEach(({ hinge, left, right, across, roll }) => {
+      const { target } = this.model.data.hinges[hinge]!;
+      const [from, to] = [poses[left.panel]!, poses[right.panel]!];
+      const ends = [...left.ends.map((p) => apply(from, ...p, 0)), ...right.ends.map((p) => apply(to, ...p, 0))];
+      const into = turned(from, across), away = turned(to, across);
+      const out = into.map((x, i) => -0.3 * roll * (x - away[i]!));
+      const middle = (a: Vec, b: Vec): Vec => a.map((x, i) => (x + b[i]!) / 2 + out[i]!) as Vec;
+      ends.push(middle(ends[0]!, ends[3]!), middle(ends[1]!, ends[2]!));
+      const kind = kindOf(target);
+      const colour = mix(this.look.back, this.look[kind], kind === 'flat' ? 0.6 : 0.85);
+      const on = ends.map(project);
+      for (const [a, b, c] of kStripTriangles)
+        this.raster.triangle(on[a]!, on[b]!, on[c]!, colour, -1, kind === 'valley' ? 3 * scale : 0);
+    });
+  }
+
   // A key light from the upper left behind the eye, and soft light from above.
   private colour(panel: number, front: boolean, hit: boolean, facing: Vec): Rgb {
     const { right, up, backward } = this.axes;
@@ -253,6 +310,7 @@ export class Scene {
       }
     });
     hinges.forEach((hinge, h) => {
+      if (hinge.roll) return; // drawJoints()
       const pose = poses[hinge.left]!;
       const within = this.surfaces.ofHinge(h);
       this.drawCrease(apply(pose, ...hinge.from), apply(pose, ...hinge.to), kindOf(hinge.target), project, weight, radius, within);

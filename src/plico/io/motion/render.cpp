@@ -22,6 +22,7 @@ using Colour = Eigen::Array3f;     // in [0, 1]
 
 const Colour kFrontColour(0.945f, 0.700f, 0.290f), kBackColour(0.970f, 0.945f, 0.895f);
 const Colour kSideColour(0.20f, 0.17f, 0.14f), kCreaseColour(0.45f, 0.35f, 0.22f);
+const Colour kJointColour(0.62f, 0.36f, 0.28f);
 const Colour kSky(0.985f, 0.985f, 0.98f), kGround(0.90f, 0.91f, 0.92f);
 
 // A point on the screen: samples right and down, depth growing away from the eye, linear on the screen.
@@ -270,6 +271,44 @@ void draw_panels(Canvas& canvas, const View& view, const Linkage& linkage, const
   }
 }
 
+// The side of a panel that lies nearest to a hinge, in the flat state.
+int side_at(const std::vector<Vec3>& outline, const Hinge& hinge) {
+  const auto away = [&](int i) {
+    return (outline[i] + outline[(i + 1) % outline.size()] - hinge.from - hinge.to).squaredNorm();
+  };
+  int nearest = 0;
+  for (int i = 1; i < static_cast<int>(outline.size()); ++i)
+    if (away(i) < away(nearest)) nearest = i;
+  return nearest;
+}
+
+// What joins the trimmed panels of thick hinges: a strip between their mid-planes that gives way outwards a little, so
+// that it is seen on the side of a pile.
+void draw_joints(Canvas& canvas, const View& view, const Linkage& linkage, const std::vector<Pose>& poses) {
+  int surface = 0;
+  for (const auto& outline : linkage.panels) surface += 2 + static_cast<int>(outline.size());
+  for (const Hinge& hinge : linkage.hinges) {
+    if (hinge.roll == 0) continue;
+    std::vector<Vec3> points;  // two of the left panel, two of the right one, two in between
+    Vec3 inwards = Vec3::Zero();
+    for (int p : {hinge.left, hinge.right}) {
+      const std::vector<Vec3>& outline = linkage.panels[p];
+      const int i = side_at(outline, hinge);
+      const Vec3 a = poses[p] * outline[i], b = poses[p] * outline[(i + 1) % outline.size()];
+      const Vec3 across = poses[p].linear() * Vec3::UnitZ().cross(hinge.to - hinge.from).normalized();
+      inwards += p == hinge.left ? across : Vec3(-across);
+      points.insert(points.end(), {a, b});
+    }
+    const Vec3 out = -0.3 * hinge.roll * inwards;
+    points.push_back((points[0] + points[3]) / 2 + out);
+    points.push_back((points[1] + points[2]) / 2 + out);
+    for (const std::array<int, 3>& t : {std::array{0, 1, 5}, {0, 5, 4}, {4, 5, 2}, {4, 2, 3}})
+      for (const std::array<int, 3>& corners : {t, std::array{t[0], t[2], t[1]}})
+        draw_triangle(canvas, view, points, corners, kJointColour, surface);
+    ++surface;
+  }
+}
+
 // Sides in ink, creases lighter. A crease belongs to two panels and is drawn with both.
 void draw_lines(Canvas& canvas, const View& view, const Linkage& linkage, const std::vector<Pose>& poses) {
   const double width = std::max(1.4 * kSamples, canvas.height() / 700.0);
@@ -286,6 +325,7 @@ void draw_lines(Canvas& canvas, const View& view, const Linkage& linkage, const 
     }
   }
   for (const Hinge& hinge : linkage.hinges) {
+    if (hinge.roll > 0) continue;  // draw_joints()
     Surfaces within;
     for (int p : {hinge.left, hinge.right}) numbers.add_holding(p, hinge.from, hinge.to, within);
     canvas.line(view.project(poses[hinge.left] * hinge.from), view.project(poses[hinge.left] * hinge.to), width,
@@ -368,6 +408,7 @@ Picture render(const Linkage& linkage, const Configuration& config, const Pictur
   Canvas canvas(options.width * kSamples, options.height * kSamples);
   const View view(options.camera, content, canvas.width(), canvas.height());
   draw_panels(canvas, view, linkage, poses, options.colors);
+  draw_joints(canvas, view, linkage, poses);
   draw_lines(canvas, view, linkage, poses);
   if (!options.transparent) {
     draw_background(canvas, soft_shadow(canvas, view, linkage, poses, ground));
