@@ -14,7 +14,8 @@ const kLarge = 5000; // faces
 // Bars by what is measured and by size class; milliseconds.
 const kBars = {
   'open, ready to drop': [500, 500, 500, 500], 'drop, net drawn': [100, 120, 200, 4000], 'net and proven linear motion, cold': [200, 500, null, null],
-  'click, judged and drawn': [16, 16, 16, 60], 'slider frame': [16, 16, 16, 33], undo: [16, 16, 16, 60], 'a search, stopped': [200, 200, 200, 200], 'main thread blocked at most': [50, 50, 50, 50],
+  'click, judged and drawn': [16, 16, 16, 60], 'slider frame': [16, 16, 16, 33], undo: [16, 16, 16, 60],
+  'inflation frame': [16, 16, 16, 16], 'a search, stopped': [200, 200, 200, 200], 'main thread blocked at most': [50, 50, 50, 50],
 };
 const classOf = (faces) => (faces <= 200 ? 0 : faces <= 700 ? 1 : faces <= kLarge ? 2 : 3);
 const median = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)];
@@ -85,6 +86,9 @@ async function timesOf(mesh) {
     times.undo = await several(count >> 1, () => session.undo());
     while (await session.undo());
     times['slider frame'] = await several(count, (i) => session.fold(i / count));
+    const inflating = { pressure: 0.1, max_growth: 5, time_step: 0.01, stiffness: 1, stiff_edges: 10, anchors: 0.05, deep_angle_deg: 70, constrained: true, max_steps: 1e5, keep: [], keep_vertices: [] };
+    if (await session.inflateBegin(inflating).then(() => true, () => false)) // ten steps of time and a look for faces that meet
+      times['inflation frame'] = await several(9, () => session.inflateStep());
     await drawn();
     times['main thread blocked at most'] = window.longest;
     times['a search, stopped'] = await time(async () => {
