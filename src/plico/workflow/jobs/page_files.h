@@ -9,7 +9,8 @@
 namespace plico::jobs {
 
 // One PDF of all pages, or one .svg or .dxf a page: "bunny.svg" for the only one, else "bunny-1.svg", "bunny-2.svg" ...
-void write_pages(Session& session, const std::string& path, const std::vector<Drawing>& pages,
-                 const std::string& title);
+// With `one_svg` one SVG of all pages, too.
+void write_pages(Session& session, const std::string& path, const std::vector<Drawing>& pages, const std::string& title,
+                 bool one_svg = false);
 
 }  // namespace plico::jobs
