@@ -40,6 +40,15 @@ inline Arguments arguments(int argc, char** argv) {
   return result;
 }
 
+// The value of an option of this program alone, taken out of the words.
+inline std::string taken(std::vector<char*>& words, std::string_view option) {
+  const auto at = std::find_if(words.begin(), words.end(), [&](const char* word) { return option == word; });
+  if (words.end() - at < 2) return {};
+  const std::string value = at[1];
+  words.erase(at, at + 2);
+  return value;
+}
+
 // The mesh files of a folder in order of name; none when `folder` is empty.
 inline std::vector<std::filesystem::path> mesh_files(const std::string& folder) {
   std::vector<std::filesystem::path> files;

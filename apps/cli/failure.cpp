@@ -13,8 +13,8 @@ namespace {
 
 using jobs::ExitCode;
 
-Failure failure_of(const Error& error, ExitCode exit_code) {
-  return {exit_code, error.code(), error.what(), error.where(), error.suggestion()};
+Failure failure_of(const Error& error, ExitCode exit_code, const jobs::Attempt& attempt) {
+  return {exit_code, error.code(), error.what(), error.where(), remedy(error, attempt)};
 }
 
 Failure bug(const std::exception& error) {
@@ -23,15 +23,15 @@ Failure bug(const std::exception& error) {
 
 }  // namespace
 
-Failure current_failure() {
+Failure current_failure(const jobs::Attempt& attempt) {
   try {
     throw;
   } catch (const InvalidOption& error) {
-    return failure_of(error, jobs::kUsage);
+    return failure_of(error, jobs::kUsage, attempt);
   } catch (const InvalidInput& error) {
-    return failure_of(error, jobs::kBadInput);
+    return failure_of(error, jobs::kBadInput, attempt);
   } catch (const FileError& error) {
-    return failure_of(error, jobs::kFile);
+    return failure_of(error, jobs::kFile, attempt);
   } catch (const std::bad_alloc&) {
     return {jobs::kMemory,
             "system/memory",

@@ -2,6 +2,7 @@
 #pragma once
 #include <string>
 
+#include "plico/workflow/jobs/remedy.h"
 #include "plico/workflow/jobs/session.h"
 
 namespace plico::cli {
@@ -11,8 +12,8 @@ struct Failure {
   std::string code, message, where, suggestion;
 };
 
-// The exception that is being handled, as a failure.
-Failure current_failure();
+// The exception that is being handled, as a failure of `attempt`.
+Failure current_failure(const jobs::Attempt& attempt = {});
 
 // To standard error; with `json` also as one object to standard output.
 void tell(const Failure& failure, bool json);

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
@@ -25,13 +27,25 @@ using jobs::nearest_word;
 using jobs::Session;
 using jobs::SharedOptions;
 
-int fail(bool json) {
-  const Failure failure = current_failure();
+int fail(bool json, const jobs::Attempt& attempt = {}) {
+  const Failure failure = current_failure(attempt);
   tell(failure, json);
   return failure.exit_code;
 }
 
 void print(const std::string& text, std::FILE* to = stdout) { std::fwrite(text.data(), 1, text.size(), to); }
+
+// What was printed may still wait, and have no place to go.
+void expect_all_printed() {
+  if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return;
+  throw FileError("file/write", fmt::format("cannot write standard output: {}", std::strerror(errno)),
+                  "standard output", "df -h shows what is full");
+}
+
+std::string first_file(const std::vector<jobs::Given>& given) {
+  const auto at = std::ranges::find_if(given, [](const jobs::Given& one) { return one.option->is_positional(); });
+  return at == given.end() ? "" : at->value;
+}
 
 bool asks(const std::vector<std::string>& words, const std::string& question) {
   for (const std::string& word : words) {
@@ -89,6 +103,7 @@ int run_session(Session& session, const Job& job, Terminal& terminal, const Shar
   terminal.end_work();
   session.finish(exit_code);
   if (shared.json) print(session.report().dump(2) + "\n");
+  expect_all_printed();
   if (session.worth_repeating()) session.say(session.repeat_command());
   return exit_code;
 }
@@ -96,17 +111,19 @@ int run_session(Session& session, const Job& job, Terminal& terminal, const Shar
 int run_command(const Job& job, const std::vector<std::string>& words) {
   SharedOptions shared;
   bool json = asks(words, "--json");
+  jobs::Attempt attempt{.job = job.name, .input = {}};
   try {
     const std::vector<Option> table = with_shared_options(job, shared);
     std::vector<Given> given = parse(job, table, words);
     json = shared.json;
+    attempt.input = first_file(given);
     check(shared);
     Terminal terminal(shared);
     const auto tell = [&](const jobs::Message& message) { terminal.tell(message); };
     Session session(shared, job.name, std::move(given), {terminal.files(), tell, terminal.run()});
     return run_session(session, job, terminal, shared);
   } catch (...) {
-    return fail(json);
+    return fail(json, attempt);
   }
 }
 
@@ -120,10 +137,12 @@ int run_program(const std::vector<Job>& commands, const std::vector<std::string>
   try {
     if (words[0] == "--version") {
       print("plico " + version() + "\n");
+      expect_all_printed();
       return kDone;
     }
     if (is_help(words[0]) || asks(words, "--help") || asks(words, "-h")) {
       print(help_for(commands, words));
+      expect_all_printed();
       return kDone;
     }
     const auto [command, taken] = find_command(commands, words);

@@ -13,6 +13,7 @@
 #include "plico/io/mesh/mesh_file.h"
 #include "plico/mesh/measures.h"
 #include "plico/workflow/jobs/jobs.h"
+#include "plico/workflow/jobs/remedy.h"
 
 namespace plico {
 namespace {
@@ -28,7 +29,7 @@ val bytes_of(const std::string& text) {
 std::string error_text(const std::exception& error, int exit_code) {
   json told{{"code", "internal"}, {"message", error.what()}, {"where", ""}, {"suggestion", ""}};
   if (const auto* ours = dynamic_cast<const Error*>(&error))
-    told.update({{"code", ours->code()}, {"where", ours->where()}, {"suggestion", ours->suggestion()}});
+    told.update({{"code", ours->code()}, {"where", ours->where()}, {"suggestion", jobs::remedy(*ours, {})}});
   told["exit_code"] = exit_code;
   return json{{"error", told}}.dump(-1, ' ', false, json::error_handler_t::replace);
 }

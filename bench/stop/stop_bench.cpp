@@ -176,15 +176,6 @@ int bench(const Arguments& args, const std::string& program, const std::string& 
   return 0;
 }
 
-// The value of an option of this program alone, taken out of the words.
-std::string taken(std::vector<char*>& words, std::string_view option) {
-  const auto at = std::ranges::find_if(words, [&](const char* word) { return option == word; });
-  if (words.end() - at < 2) return {};
-  const std::string value = at[1];
-  words.erase(at, at + 2);
-  return value;
-}
-
 }  // namespace
 }  // namespace plico::bench
 

@@ -378,11 +378,13 @@ LayoutResult lay_out_pages(const Unfolding& model_net, const FoldedShape& shape,
   LayoutReport& report = result.report;
   report.scale = wanted_scale(model_net, shape, options);
   report.final_size = report.scale * shape.size;
+  const auto gives_up = [&] { return result.given_up = options.may_give_up && run.over(); };
 
   const Unfolding net = net_to_print(model_net, options, report);
   report.hands = measure_for_hands(net, 1);
   const NetSides sides(net);
   const Outlines outlines = sides.outlines();
+  if (gives_up()) return result;
   run.report("making tabs", 0);
   report.tabs = make_tabs(sides, outlines, options.tabs);
 
@@ -391,7 +393,9 @@ LayoutResult lay_out_pages(const Unfolding& model_net, const FoldedShape& shape,
   for (const PlaceItem& item : items) hulls.push_back(item.hull);
   for (auto& points : part_points(net)) bare.push_back(convex_hull(std::move(points)));
   require_fit(hulls, bare, report.scale, shape, options, options.split);
+  if (gives_up()) return result;
   const Placed placed = place(items, options.page, options.place, run, given_placements(net, options.places));
+  if (gives_up()) return result;
 
   const std::vector<PartTitle> titles = titles_of(net, model_net, options);
   PageLayout& layout = result.layout;
@@ -404,6 +408,7 @@ LayoutResult lay_out_pages(const Unfolding& model_net, const FoldedShape& shape,
   add_marks(layout, sides, outlines, options.marks);
   show_assembly(sides, model_net, shape, options, layout, report);
   run.report("writing labels", 0);
+  if (gives_up()) return result;
   report.joints_unnamed = write_joints(layout, options.joints, options.joint, net.part, placed.placements, Font());
   report.edge_ids = seam_names(sides, outlines, report.tabs, titles, options.seams);
   for (const PlacedPart& part : layout.parts) report.part_names.push_back(part.name);
@@ -411,7 +416,8 @@ LayoutResult lay_out_pages(const Unfolding& model_net, const FoldedShape& shape,
   report.places = places_of(net, placed.placements);
   report.printed_part = net.part;
   for (const int part : net.part) report.part_of_panel.push_back(titles[part].id);
-  report.labels = add_labels(layout, report.edge_ids, Font(), options.labels);
+  report.labels = add_labels(layout, report.edge_ids, Font(), options.labels, options.may_give_up ? run : Run{});
+  if (gives_up()) return result;
   report.joints_without_hole = draw_joints(layout, options.joints, options.joint, net.part, placed.placements);
   report.pages = static_cast<int>(layout.pages.size());
   report.parts = static_cast<int>(layout.parts.size());

@@ -52,6 +52,7 @@ struct LayoutOptions {
   std::vector<int> rank;           // of each part of the net in the order of assembly; empty: by the seams
   std::vector<JointFacet> joints;  // facets that meet facets of other parts
   JointKind joint = JointKind::Glue;
+  bool may_give_up = false;  // when the run is over: no layout instead of a late one
 };
 
 struct LayoutReport {
@@ -79,6 +80,7 @@ struct LayoutReport {
 };
 
 struct LayoutResult {
+  bool given_up = false;  // the rest is not whole then
   PageLayout layout;
   LayoutReport report;
 };

@@ -39,17 +39,28 @@ class Labeller {
     for (std::size_t p = 0; p < layout.pages.size(); ++p) take_key(static_cast<int>(p));
   }
 
-  LabelReport run() {
+  LabelReport write(const Run& run) {
     const bool named = options_.part_names && layout_.parts.size() > 1;
     for (PlacedPart& part : layout_.parts)
       if (named) name_part(part);
     if (!options_.edge_ids) return report_;
-    for (PlacedPart& part : layout_.parts) label_edges(part);
-    for (const auto& [part, panel, side] : crowded_) lead_out(*part, *panel, side);
+    for (PlacedPart& part : layout_.parts) label_edges(part, run);
+    for (const Crowded& edge : crowded_)
+      if (!run.over()) lead_out(edge);
     return report_;
   }
 
  private:
+  static constexpr double kEasilyRead = 5;  // points
+
+  // A side of a panel, with its tab.
+  struct Crowded {
+    PlacedPart* part;
+    const PlacedPanel* panel;
+    const Tab* tab;
+    int side;
+  };
+
   void take_paper(const PlacedPart& part) {
     for (const PlacedPanel& panel : part.panels)
       for (auto& piece : convex_pieces(panel.corners)) paper_.add(std::move(piece), part.page);
@@ -85,12 +96,13 @@ class Labeller {
     return {font_.width(text, size) + 0.35 * size, Font::cap_height(size) + 0.35 * size};
   }
 
-  // The size goes down in steps of a point.
-  template <class Place>
-  bool try_sizes(Place place) {
+  // The size goes down in steps of a point, to what is easily read, or from there to what can just be read.
+  std::vector<double> sizes(bool easily_read) const {
+    std::vector<double> result;
     for (double pt = options_.size_pt; pt > options_.smallest_pt - 1e-9; pt -= 1)
-      if (place(pt * kMillimetresPerPoint)) return true;
-    return false;
+      if ((pt > kEasilyRead - 1e-9 || pt == options_.size_pt) == easily_read)
+        result.push_back(pt * kMillimetresPerPoint);
+    return result;
   }
 
   bool write_in(PlacedPart& part, const std::vector<Vec2>& area, const std::string& text, const Vec2& center,
@@ -134,24 +146,30 @@ class Labeller {
     return false;
   }
 
-  void label_edges(PlacedPart& part) {
+  void label_edges(PlacedPart& part, const Run& run) {
     std::map<int, const Tab*> tab_of;
     for (const Tab& tab : part.tabs) tab_of[tab.edge] = &tab;
     for (const PlacedPanel& panel : part.panels) {
+      if (run.over()) return;
       for (int i = 0; i < static_cast<int>(panel.edges.size()); ++i) {
         const std::string& text = seam_name_[panel.edges[i]];
         if (text.empty()) continue;
         const auto tab = tab_of.find(panel.edges[i]);
-        const bool done = try_sizes([&](double size) {
-          if (tab != tab_of.end() && write_on_tab(part, *tab->second, text, size)) return true;
-          return write_in_panel(part, panel, i, text, size);
-        });
-        if (done)
+        const Crowded edge{&part, &panel, tab == tab_of.end() ? nullptr : tab->second, i};
+        if (write_at(edge, sizes(true)))
           ++report_.placed;
         else
-          crowded_.push_back({&part, &panel, i});
+          crowded_.push_back(edge);
       }
     }
+  }
+
+  bool write_at(const Crowded& edge, const std::vector<double>& sizes) {
+    const std::string& text = seam_name_[edge.panel->edges[edge.side]];
+    return std::ranges::any_of(sizes, [&](double size) {
+      if (edge.tab && write_on_tab(*edge.part, *edge.tab, text, size)) return true;
+      return write_in_panel(*edge.part, *edge.panel, edge.side, text, size);
+    });
   }
 
   bool write_on_tab(PlacedPart& part, const Tab& tab, const std::string& text, double size) {
@@ -172,11 +190,16 @@ class Labeller {
     return false;
   }
 
-  // On free paper beyond the edge, upright, joined to the middle of the edge (or of its tab's tip) by a line.
-  void lead_out(PlacedPart& part, const PlacedPanel& panel, int side) {
-    const Vec2 &a = panel.corners[side], &b = panel.corners[(side + 1) % panel.corners.size()];
+  // On free paper beyond the edge, upright, joined to the middle of the edge (or of its tab's tip) by a line; where
+  // there is none, small at its edge.
+  void lead_out(const Crowded& edge) {
+    const std::vector<Vec2>& corners = edge.panel->corners;
+    const Vec2 &a = corners[edge.side], &b = corners[(edge.side + 1) % corners.size()];
     const double size = std::max(options_.smallest_pt, std::min(options_.size_pt, 5.5)) * kMillimetresPerPoint;
-    ++(write_beside(part, a, b, seam_name_[panel.edges[side]], size) ? report_.leaders : report_.omitted);
+    if (write_beside(*edge.part, a, b, seam_name_[edge.panel->edges[edge.side]], size))
+      ++report_.leaders;
+    else
+      ++(write_at(edge, sizes(false)) ? report_.placed : report_.omitted);
   }
 
   // Beside the side from a to b of a part on its left.
@@ -211,11 +234,6 @@ class Labeller {
     return std::ranges::all_of(box, [&](const Vec2& p) { return inside.contains(p); });
   }
 
-  struct Crowded {
-    PlacedPart* part;
-    const PlacedPanel* panel;
-    int side;
-  };
   PageLayout& layout_;
   const std::vector<std::string>& seam_name_;
   const Font& font_;
@@ -234,9 +252,9 @@ void check(const LabelOptions& options) {
 }
 
 LabelReport add_labels(PageLayout& layout, const std::vector<std::string>& seam_name, const Font& font,
-                       const LabelOptions& options) {
+                       const LabelOptions& options, const Run& run) {
   check(options);
-  return Labeller(layout, seam_name, font, options).run();
+  return Labeller(layout, seam_name, font, options).write(run);
 }
 
 }  // namespace plico

@@ -3,6 +3,7 @@
 #pragma once
 #include <vector>
 
+#include "plico/base/run.h"
 #include "plico/fold/page_layout.h"
 #include "plico/font/font.h"
 
@@ -12,7 +13,7 @@ struct LabelOptions {
   bool edge_ids = true;
   bool part_names = true;  // a large letter on each part, and its name, when there are several
   double size_pt = 7;      // wanted size of an edge id, in [min_pt, 24]
-  double smallest_pt = 4;  // an id is made smaller down to this, in [3, size_pt]
+  double smallest_pt = 4;  // an id is made smaller down to 5, or to this where there is no other way, in [3, size_pt]
 };
 void check(const LabelOptions& options);  // throws InvalidOption naming field, value and range
 
@@ -24,8 +25,8 @@ struct LabelReport {
 
 // Adds labels to the placed parts of `layout`. seam_name has the id of each sheet edge, empty for none. A label lies
 // inside its panel or on its tab, or outside on free paper with a leader line; labels share no point with each other,
-// with marks, or with the margin. O(n).
+// with marks, or with the margin. Once the run is over no more ids are written, or counted. O(n).
 LabelReport add_labels(PageLayout& layout, const std::vector<std::string>& seam_name, const Font& font,
-                       const LabelOptions& options);
+                       const LabelOptions& options, const Run& run = {});
 
 }  // namespace plico

@@ -31,7 +31,6 @@ namespace {
 // a kit gain nearly all that they will in an eighth of them.
 constexpr long kImprovingSteps = 400, kImprovingStepsOfPart = 50, kMostImprovingSteps = 200'000;
 
-// Pages of more panels take longer than who stopped or limited the work wants to wait.
 constexpr int kMostToDrawLate = 10'000;  // faces
 
 std::string_view kind_of(MotionMethod method) {
@@ -249,16 +248,27 @@ std::string page_text(const Mesh& mesh, const CraftOptions& options, const Craft
   return viewer_page(page);
 }
 
-void add_pages(const CraftOptions& options, CraftResult& result) {
+// Who waits for a few pages gets them, however late; of so many panels they take longer than who stopped the work, or
+// limited its time, wants to wait.
+bool gives_up(const CraftResult& result, const Run& run) {
+  return result.net.sheet.num_faces() > kMostToDrawLate && run.over();
+}
+
+// False when that was given up.
+bool add_pages(const CraftOptions& options, const Run& run, CraftResult& result) {
   DrawOptions how = options.draw;
   if (how.title.empty()) how.title = options.name;
   const std::vector<Drawing> pages = draw(result.layout.layout, how, result.paint);
   result.files.push_back({options.name + ".pdf", write_pdf(pages, how.title, fmt::format("plico {}", version()))});
+  if (options.one_svg) result.files.push_back({options.name + ".svg", write_svg(pages)});
   for (std::size_t i = 0; i < pages.size(); ++i) {
     const std::string stem = pages.size() == 1 ? options.name : fmt::format("{}-{}", options.name, i + 1);
-    result.files.push_back({stem + ".svg", write_svg(pages[i])});
+    if (gives_up(result, run)) return false;
+    if (!options.one_svg) result.files.push_back({stem + ".svg", write_svg(pages[i])});
+    if (gives_up(result, run)) return false;
     result.files.push_back({stem + ".dxf", write_dxf(pages[i])});
   }
+  return !gives_up(result, run);
 }
 
 // The finished model, and its pieces apart.
@@ -277,6 +287,7 @@ void add_pictures(const Mesh& mesh, const CraftOptions& options, CraftResult& re
 LayoutOptions layout_of(const Mesh& mesh, const CraftOptions& options, const CraftResult& result) {
   LayoutOptions layout = options.layout;
   layout.size.fill_page = true;
+  layout.may_give_up = result.net.sheet.num_faces() > kMostToDrawLate;
   if (result.kit) {
     layout.titles = part_titles(result.kit->parts.names, result.kit->pieces);
     layout.seams = seams_of(mesh, *result.kit);
@@ -286,18 +297,33 @@ LayoutOptions layout_of(const Mesh& mesh, const CraftOptions& options, const Cra
   return layout;
 }
 
-void add_drawings(const Mesh& mesh, const CraftOptions& options, const Run& run, CraftResult& result) {
+// False when that was given up.
+bool add_drawings(const Mesh& mesh, const CraftOptions& options, const Run& run, CraftResult& result) {
   run.report("laying out pages", 0);
   const LayoutOptions layout = layout_of(mesh, options, result);
   const FoldedShape shape = folded_shape(mesh);
   result.layout = lay_out_pages(result.net, shape, layout, run);
+  if (result.layout.given_up) return false;
   result.work = hand_work(result.net, result.layout.report);
   if (result.work.too_small() && options.joints.empty())
     result.larger = larger_pages(result.net, shape, layout, result.layout.report, run);
+  run.report("judging the pages", 0);
   result.layout_verdict = verify_layout(result.layout.layout);
+  if (gives_up(result, run)) return false;
+  run.report("drawing pages", 0);
   result.paint = panel_paint(mesh, result.net, options.paint);
-  add_pages(options, result);
+  if (gives_up(result, run) || !add_pages(options, run, result)) return false;
   if (is_put_together(result)) add_pictures(mesh, options, result);
+  return !gives_up(result, run);
+}
+
+void forget_drawings(CraftResult& result) {
+  result.files.clear();
+  result.layout = {};
+  result.layout_verdict = {};
+  result.work = {};
+  result.larger.reset();
+  result.paint = {};
 }
 
 // "step 2": "C on page 1, onto A and B". Numbers have one width, so that they sort.
@@ -360,8 +386,11 @@ CraftResult craft(const Mesh& mesh, const CraftOptions& options, const Run& run)
     find_net(mesh, options, run, result);
   if (result.motion && !result.proven() && run.over()) result.ending = run.ending();
   if (result.motion) result.motion_kind = kind_of(result.motion->method);
-  result.drawn = !run.over() || mesh.num_faces() <= kMostToDrawLate;
-  if (result.drawn) add_drawings(mesh, options, run, result);
+  result.drawn = !gives_up(result, run) && add_drawings(mesh, options, run, result);
+  if (!result.drawn) {
+    forget_drawings(result);
+    result.ending = run.ending();
+  }
   result.files.push_back({options.name + ".fold", fold_text(mesh, options, result)});
   const nlohmann::json report = craft_report(mesh, result);
   result.files.push_back({"report.json", report.dump(2) + "\n"});

@@ -41,7 +41,8 @@ struct CraftOptions {
   UnfoldOptions unfold;
   LayoutOptions layout;
   DrawOptions draw;
-  Paint paint;  // how the shape looks: printed, and shown on the page and in pictures
+  bool one_svg = false;  // of all pages, instead of one a page
+  Paint paint;           // how the shape looks: printed, and shown on the page and in pictures
 };
 
 struct CraftFile {

@@ -50,6 +50,19 @@ TEST(Drawing, WhatLiesInsideIsCutBeforeWhatIsAroundIt) {
   EXPECT_LT(areas[0], areas[1]);
 }
 
+bool says(const Drawing& page, const std::string& text) {
+  return std::ranges::any_of(page.texts, [&](const Text& line) { return line.text == text; });
+}
+
+TEST(Drawing, TitlesAreWhole) {
+  const PageLayout layout = cube_page();
+  EXPECT_TRUE(says(draw(layout, {.title = "cube"}).front(), "cube · 40 × 40 × 40 mm · page 1 of 1"));
+  const std::string dinosaur = "lowpoly-dino-650-of-a-long-name-and-more-of-it";
+  const Drawing page = draw(layout, {.title = dinosaur}).front();
+  EXPECT_TRUE(says(page, dinosaur));
+  EXPECT_TRUE(says(page, "40 × 40 × 40 mm · page 1 of 1"));
+}
+
 TEST(Drawing, LettersBecomeOutlinesOrAreLeftOut) {
   const Drawing plain = draw(cube_page()).front(),
                 outlined = draw(cube_page(), {.title = "", .text = TextForm::Outlines}).front();

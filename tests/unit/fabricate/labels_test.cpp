@@ -92,6 +92,30 @@ TEST(Labels, LieInTheirPanelOrTabOrBesideThePartsWithALeader) {
   }
 }
 
+// Sides of 6 mm around the part, with free paper beyond: ids stand outside before they are too small to read.
+TEST(Labels, StandBesideThePartRatherThanBeTooSmall) {
+  int outside = 0;
+  for (double longest : {5.0, 6.0, 8.0}) {
+    const Mesh mesh = samples::cube();
+    LayoutOptions options;
+    options.size.longest = longest;
+    const LayoutResult sheet = lay_out_pages(samples::net_of(mesh), folded_shape(mesh), options);
+    outside += sheet.report.labels.leaders;
+    if (sheet.report.labels.omitted > 0) continue;  // no paper is left beside some edges
+    for (const PlacedPart& part : sheet.layout.parts)
+      for (const Label& label : part.labels) EXPECT_GE(label.size, 5 * kMillimetresPerPoint) << label.text;
+  }
+  EXPECT_GT(outside, 0);
+}
+
+TEST(Labels, AreNotWrittenOnceTheRunIsOver) {
+  LayoutResult sheet = crowded_sheets().back();
+  for (PlacedPart& part : sheet.layout.parts) part.labels.clear();
+  const LabelReport report =
+      add_labels(sheet.layout, sheet.report.edge_ids, Font(), {.part_names = false}, {.deadline = Run::Clock::now()});
+  EXPECT_EQ(report.placed + report.leaders + report.omitted, 0);
+}
+
 TEST(Labels, NameEveryPartInItOrBesideIt) {
   int named = 0;
   for (const LayoutResult& sheet : crowded_sheets()) {

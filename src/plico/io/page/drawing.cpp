@@ -256,19 +256,36 @@ class Drafter {
       key_text(in_words ? words : text, in_words ? x : x + 8, y, pt);
       x += in_words ? font_.width(words, size) + 4 : 8 + font_.width(text, size) + 4;
     }
-    std::string name = options_.title, title = page_title(name);
-    while (!name.empty() && font_.width(title, size) > room) {  // the name gives way, size and page number stay
-      while ((name.back() & 0xC0) == 0x80) name.pop_back();     // the rest of a letter of several bytes
-      name.pop_back();
-      title = page_title(name.empty() ? "" : name + "…");
-    }
-    key_text(title, title_x, title_y, pt);
+    draw_title(title_x, title_y, room);
   }
 
-  std::string page_title(const std::string& model) const {
-    const std::string name = model.empty() ? "" : model + " · ";
+  // Whole: in one line, made smaller where needed, or the name above the numbers. Only a name longer than that is cut.
+  void draw_title(double x, double y, double room) {
+    const std::string& name = options_.title;
+    const std::string line = name.empty() ? page_facts() : fmt::format("{} · {}", name, page_facts());
+    const double pt = size_that_fits(line, room, 5);
+    if (width_of(line, pt) <= room) return key_text(line, x, y, pt);
+    const double name_pt = size_that_fits(name, room, 3.5);
+    std::string shown = name;
+    while (width_of(shown == name ? name : shown + "…", name_pt) > room && !shown.empty()) {
+      while ((shown.back() & 0xC0) == 0x80) shown.pop_back();  // the rest of a letter of several bytes
+      shown.pop_back();
+    }
+    key_text(shown == name ? name : shown + "…", x, y + 1.8, name_pt);
+    key_text(page_facts(), x, y - 0.5, size_that_fits(page_facts(), room, 3.5));
+  }
+
+  double width_of(const std::string& text, double pt) const { return font_.width(text, pt * kMillimetresPerPoint); }
+
+  // 6 points, or less where it is too wide, but not under `smallest`.
+  double size_that_fits(const std::string& text, double room, double smallest) const {
+    const double width = width_of(text, 6);
+    return width <= room ? 6 : std::max(smallest, std::floor(60 * room / width) / 10);
+  }
+
+  std::string page_facts() const {
     const Vec3& s = layout_.folded_size;
-    return fmt::format("{}{:.0f} × {:.0f} × {:.0f} mm · page {} of {}{}", name, s.x(), s.y(), s.z(), number_ + 1,
+    return fmt::format("{:.0f} × {:.0f} × {:.0f} mm · page {} of {}{}", s.x(), s.y(), s.z(), number_ + 1,
                        layout_.pages.size(), layout_.has_taped_seams ? " · ° tape" : "");
   }
 

@@ -51,6 +51,7 @@ CraftOptions craft_options(const CraftArgs& args, Session& session) {
   // Who says how large it is wants it, on as many pages as it takes.
   options.layout.split = options.layout.split || options.layout.size.is_given();
   options.draw = draw_options(args.print, options.name);
+  options.one_svg = args.print.one_svg;
   return options;
 }
 

@@ -44,7 +44,7 @@ constexpr double kProofSeconds = 20;  // for the page's verdict
 constexpr int kMostPictures = 1000;   // of a film: they are in memory together
 
 struct ExportArgs {
-  std::string file, trajectory, title, up = "auto";
+  std::string file, trajectory, title, up = "auto", unit = "none";
   double at = 1, seconds = 4, grams_per_square_metre = 160, sheet_thickness_mm = 0.2;
   double azimuth = radians(-35), elevation = radians(28);
   double longest_mm = std::numeric_limits<double>::quiet_NaN();  // of the folded model, in robot models
@@ -108,6 +108,10 @@ LoadedMotion read_motion(const ExportArgs& args, Session& session) {
 double metres_per_unit(const LoadedMotion& motion, const ExportArgs& args, Session& session) {
   constexpr std::string_view kLengths[] = {"mm", "cm", "m", "in", "ft"};
   const bool says = std::ranges::find(kLengths, motion.file.unit) != std::end(kLengths);
+  if (args.unit != "none") {
+    if (!std::isnan(args.longest_mm)) throw InvalidOption("--unit and --longest both say how large the robot is");
+    return millimetres_per(args.unit) / 1000;
+  }
   const double per_unit = says ? millimetres_per(motion.file.unit) / 1000 : 0.001;
   Eigen::AlignedBox3d box;
   const std::vector<Pose> poses = folding_map(motion.linkage, motion.path.at(1));
@@ -273,7 +277,7 @@ std::string bytes_for(const std::string& path, const LoadedMotion& motion, const
   if (path.ends_with(".angles.svg")) return write_angle_plot(motion.path, {.title = motion.title});
   if (kind == "glb" || kind == "urdf" || kind == "xml" || kind == "mjcf")
     return with_joints(kind, has_thick_hinges(motion.linkage) ? with_plain_hinges(motion) : motion, args, session);
-  if (kind == "csv") return write_trajectory_csv(motion.path);
+  if (kind == "csv") return write_trajectory_csv(motion.path, motion.linkage.hinges);
   if (kind == "png") return picture(motion, args);
   if (kind == "gif") return film(motion, args, session.run());
   if (const auto mesh = mesh_format_of(path); mesh && *mesh != MeshFormat::Gltf)
@@ -338,6 +342,8 @@ Job export_job() {
       .angle("--azimuth", "camera of a picture, around the sheet", args->azimuth)
       .angle("--elevation", "camera of a picture, above the sheet's plane", args->elevation)
       .flag("--transparent", "a picture without background and shadow", args->transparent)
+      .choice("--unit", "of a robot model: what one unit of the file measures; none: what the file says, or 1 mm",
+              args->unit, {"none", "mm", "cm", "m", "in"})
       .length("--longest", "of a robot model: longest side when folded; else a unit is what the file says, or 1 mm",
               args->longest_mm, above(0))
       .option("--seconds", "SECONDS", "how long an animation or a trajectory lasts", args->seconds, above(0))

@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
 
 #include "plico/base/error.h"
 #include "plico/io/text/file.h"
+#include "plico/workflow/jobs/suggest.h"
 
 namespace plico::jobs {
 namespace {
@@ -16,6 +19,11 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void refuse_existing(const std::string& path) {
   throw FileError("file/exists", fmt::format("{} exists already", path), path, "add --force to overwrite it");
+}
+
+[[noreturn]] void refuse_folder(const std::string& folder) {
+  throw FileError("file/write", fmt::format("nothing can be written into the folder {}", folder.empty() ? "." : folder),
+                  folder);
 }
 
 [[noreturn]] void refuse_full(const std::string& folder) {
@@ -36,7 +44,20 @@ std::string quoted(const std::string& word) {
   return result + "'";
 }
 
-std::string DiskFiles::read(const std::string& path) { return read_file(path); }
+std::string DiskFiles::read(const std::string& path) {
+  std::error_code error;
+  if (path == "-" || fs::exists(path, error)) return read_file(path);
+  const fs::path folder = fs::path(path).parent_path();
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, error))
+    names.push_back(entry.path().filename().string());
+  std::ranges::sort(names);
+  const std::string nearest = nearest_word(fs::path(path).filename().string(), names);
+  throw FileError("file/read",
+                  fmt::format("cannot read {}: there is no such file{}", path,
+                              did_you_mean(nearest.empty() ? "" : (folder / nearest).string())),
+                  path, folder.empty() ? "ls" : "ls " + quoted(folder.string()));
+}
 
 std::vector<std::string> DiskFiles::names_in(const std::string& folder) {
   std::error_code error;
@@ -57,7 +78,8 @@ void DiskFiles::expect_file(const std::string& path, bool overwrite) {
                     path, fmt::format("mkdir -p {}", quoted(folder.string())));
   if (fs::is_directory(path, error))
     throw FileError("file/write", fmt::format("cannot write {}: it is a folder", path), path);
-  if (!overwrite && fs::exists(path, error)) refuse_existing(path);
+  if (access(folder.empty() ? "." : folder.c_str(), W_OK) != 0 && !is_device(path)) refuse_folder(folder.string());
+  if (!overwrite && fs::exists(path, error) && !is_device(path)) refuse_existing(path);
 }
 
 void DiskFiles::make_folder(const std::string& path, bool must_be_empty) {
@@ -65,6 +87,7 @@ void DiskFiles::make_folder(const std::string& path, bool must_be_empty) {
   if (fs::exists(path, error) && !fs::is_directory(path, error))
     throw FileError("file/not-a-folder", fmt::format("{} is not a folder", path), path);
   if (must_be_empty && fs::is_directory(path, error) && !fs::is_empty(path, error)) refuse_full(path);
+  if (fs::is_directory(path, error) && access(path.c_str(), W_OK) != 0) refuse_folder(path);
   fs::create_directories(path, error);
   if (error) throw FileError("file/write", fmt::format("cannot make the folder {}: {}", path, error.message()), path);
 }

@@ -16,11 +16,15 @@ std::string numbered_path(const std::string& path, std::size_t which, std::size_
   return fmt::format("{}-{}{}", path.substr(0, dot), which + 1, path.substr(dot));
 }
 
-void write_pages(Session& session, const std::string& path, const std::vector<Drawing>& pages,
-                 const std::string& title) {
+void write_pages(Session& session, const std::string& path, const std::vector<Drawing>& pages, const std::string& title,
+                 bool one_svg) {
   const std::string kind = extension(path);
   if (path == "-" || kind == "pdf") {
     session.write(path, write_pdf(pages, title, fmt::format("plico {}", plico::version())));
+    return;
+  }
+  if (kind == "svg" && one_svg) {
+    session.write(path, write_svg(pages));
     return;
   }
   for (std::size_t i = 0; i < pages.size(); ++i)

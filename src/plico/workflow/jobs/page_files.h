@@ -12,7 +12,8 @@ namespace plico::jobs {
 std::string numbered_path(const std::string& path, std::size_t which, std::size_t of);
 
 // One PDF of all pages, or one .svg or .dxf a page: "bunny.svg" for the only one, else "bunny-1.svg", "bunny-2.svg" ...
-void write_pages(Session& session, const std::string& path, const std::vector<Drawing>& pages,
-                 const std::string& title);
+// With `one_svg` one SVG of all pages, too.
+void write_pages(Session& session, const std::string& path, const std::vector<Drawing>& pages, const std::string& title,
+                 bool one_svg = false);
 
 }  // namespace plico::jobs

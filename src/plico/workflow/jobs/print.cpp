@@ -140,7 +140,7 @@ int print(const NetArgs& args, Session& session) {
   session.report()["print"]["places"] = json_of_places(result.report);
   const DrawOptions how = draw_options(args.print, name);
   const std::vector<Drawing> pages = draw(result.layout, how, plain_paint(file.net.sheet, colors_of(file)));
-  for (const std::string& path : outputs) write_pages(session, path, pages, how.title);
+  for (const std::string& path : outputs) write_pages(session, path, pages, how.title, args.print.one_svg);
   session.print(layout_text(result.report));
   for (const std::string& problem : verdict.problems) session.warn(problem);
   return verdict.sound() ? kDone : kNo;

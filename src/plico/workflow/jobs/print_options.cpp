@@ -78,6 +78,8 @@ void add_print_options(Job& job, PrintArgs& args) {
       .length("--longest", "longest side of the finished model; without any size, as large as fits one page a part",
               args.size.longest, above(0))
       .option("--scale", "K", "millimetres per unit of the model", args.scale, above(0))
+      .choice("--unit", "what one unit of the model measures, printed in its true size; none: not known", args.unit,
+              {"none", "mm", "cm", "m", "in"})
       .choice("--up", "axis of the height; auto: guessed from the shape and told", args.up, {"auto", "y", "z"})
       .choice("--for",
               "who works on the pages: sets page, margin, style, text, perforation, ruler and legend, each of "
@@ -100,8 +102,9 @@ void add_print_options(Job& job, PrintArgs& args) {
       .length("--tab-width", "depth of the tabs", args.tab_width, {1, 50})
       .angle("--tab-angle", "slant of the tabs", args.tab_angle, {20, 80})
       .flag("--no-labels", "leave out edge ids and part names", args.no_labels)
-      .option("--label-size", "POINTS", "size of edge ids, made smaller down to 4 where needed", args.label_size,
-              {3, 24})
+      .option("--label-size", "POINTS",
+              "size of edge ids, made smaller down to 5 where needed, and to 4 where there is no other way",
+              args.label_size, {3, 24})
       .option("--marks", "LIST", "start: a square where to begin; seam: strokes that meet; or both", args.marks)
       .choice("--style", "colours and line weights", args.style, {"auto", "paper", "origami", "laser", "bw"})
       .choice("--text", "letters as text, as outlines to draw or engrave, or none", args.text,
@@ -116,6 +119,7 @@ void add_print_options(Job& job, PrintArgs& args) {
               args.joint, {"glue", "rivet", "none"})
       .flag("--no-color", "do not print the colours and pictures of the model", args.no_color)
       .flag("--shadow-tabs", "draw where each tab lands on the panel it is glued under", args.shadow_tabs)
+      .flag("--one-svg", "all pages in one SVG, beside each other, which Inkscape takes for pages", args.one_svg)
       .flag("--no-ruler", "leave out the ruler", args.no_ruler)
       .flag("--no-legend", "leave out the legend", args.no_legend)
       .angle("--flat", "folds up to this angle count as flat and are hidden", args.flat, {0, 90})
@@ -128,6 +132,12 @@ LayoutOptions layout_options(const PrintArgs& args) {
   options.size = args.size;
   options.size.up = args.up == "z" ? 'z' : 'y';
   options.size.scale = args.scale;
+  if (args.unit != "none") {
+    if (options.size.is_given())
+      throw InvalidOption(fmt::format("--unit {} is the true size, and another size is given", args.unit),
+                          "leave one of them out");
+    options.size.scale = millimetres_per(args.unit);
+  }
   const Machine& by = machine(args);
   options.page = {paper_size(or_else(args.page, by.page)), parse_margins(or_else(args.margin, by.margin))};
   if (args.landscape != (options.page.size.x() > options.page.size.y()) && args.landscape)

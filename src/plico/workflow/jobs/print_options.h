@@ -14,13 +14,13 @@ namespace plico::jobs {
 
 struct PrintArgs {
   std::string page, margin, up = "auto", tabs = "auto", style = "auto", text = "auto", side = "outside", perforation,
-                            machine = "printer", joint = "glue", weak_folds = "auto", title;
+                            unit = "none", machine = "printer", joint = "glue", weak_folds = "auto", title;
   double scale = std::numeric_limits<double>::quiet_NaN();
   double tab_width = 5, tab_angle = radians(45), gap = 3, flat = radians(0.5), label_size = 7;
   SizeOptions size;
   std::vector<std::string> marks;
   bool landscape = false, split = false, no_labels = false, show_flat_creases = false, no_ruler = false,
-       no_legend = false, shadow_tabs = false, no_color = false;
+       one_svg = false, no_legend = false, shadow_tabs = false, no_color = false;
 };
 
 void add_print_options(Job& job, PrintArgs& args);

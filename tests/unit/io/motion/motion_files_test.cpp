@@ -254,6 +254,10 @@ TEST(Glb, RejectsWhatCannotBePlayed) {
 TEST(TrajectoryCsv, HasAColumnAHingeInDegrees) {
   EXPECT_EQ(write_trajectory_csv(path_through({{0, {0, 0}}, {0.25, {kPi / 2, 0}}, {1, {kPi, -kPi}}})),
             "time,hinge_0_deg,hinge_1_deg\n0,0,0\n0.25,90,0\n1,180,-180\n");
+  std::vector<Hinge> hinges(2);
+  hinges[0].a = 3, hinges[0].b = 7;
+  EXPECT_EQ(write_trajectory_csv(path_through({{0, {0, 0}}, {1, {0, kPi}}}), hinges),
+            "time,crease_3_7_deg,hinge_1_deg\n0,0,0\n1,0,180\n");
 }
 
 TEST(AngleKeys, OfAStraightMotionAreItsEnds) {
