@@ -19,8 +19,8 @@ const kTitles: Record<string, string> = {
 const kMesh = ['obj', 'off', 'stl', 'ply'];
 const kWrites: Record<string, string[]> = {
   check: ['', ...kMesh], simplify: kMesh, inflate: kMesh, sample: kMesh, shell: ['obj', 'stl'], segment: ['fold'], unfold: ['fold'],
-  craft: ['a folder'], 'origami make': ['fold'], 'origami settle': ['fold'], fold: ['fold'], voxelize: ['obj', 'stl'],
-  stack: ['fold', 'html', 'stl', 'csv'], print: ['pdf', 'svg', 'dxf'], export: ['html', 'png', 'glb', 'urdf', 'xml', 'csv'],
+  craft: ['a folder'], 'origami make': ['fold'], 'origami settle': ['fold'], fold: ['fold'], voxelize: ['obj', 'stl', 'fold'],
+  stack: ['fold', 'html', 'stl', '3mf', 'csv'], print: ['pdf', 'svg', 'dxf'], export: ['html', 'png', 'glb', 'urdf', 'xml', 'csv'],
 };
 const kSuffix: Record<string, string> = {
   check: '-clean', simplify: '-simple', inflate: '-round', shell: '-shells', 'origami settle': '-settled', fold: '-motion', voxelize: '-squares', stack: '-stack',
