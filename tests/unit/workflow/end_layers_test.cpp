@@ -26,15 +26,6 @@ CreasePattern strip(double first, double second) {
   return sheet;
 }
 
-TEST(EndLayers, OfAStripFoldedToAndFroAreInTheOrderOfItsPanels) {
-  const CreasePattern sheet = strip(kPi, -kPi);
-  const EndLayers layers = end_layers(sheet, make_linkage(sheet), straight(sheet));
-  ASSERT_TRUE(layers.flat);
-  EXPECT_EQ(layers.why, "");
-  ASSERT_EQ(layers.orders.size(), 3U);
-  EXPECT_TRUE(check_flat_layers(sheet, layers.orders).valid);
-}
-
 // The judge refuses the same orders with one pair turned over.
 TEST(EndLayers, AreTheOnlyOrderThatStandsTheCheck) {
   const CreasePattern sheet = miura({.columns = 3, .rows = 3});
