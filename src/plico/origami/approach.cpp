@@ -187,6 +187,7 @@ class Approach {
         (found.config - from).cwiseAbs().maxCoeff() > most)
       return {};
     if (!(distance(found.config) < distance(from))) return {};
+    if (options_.accepts && !options_.accepts(found.config)) return {};
     if (options_.check_collisions && checker_.collides(found.config)) {
       result.obstacle = Obstacle::Collision;
       colliding_ = checker_.collisions(found.config);

@@ -1,5 +1,7 @@
 // Towards a goal that may be out of reach, as far as the sheet goes.
 #pragma once
+#include <functional>
+
 #include "plico/origami/continuation.h"
 
 namespace plico {
@@ -14,6 +16,7 @@ struct ApproachOptions {
   double damping = 1e-9;      // of the projection: what opens the sheet by less than its root counts as closed; above 0
   bool check_collisions = true;
   CollisionOptions collision = {};
+  std::function<bool(const Configuration&)> accepts = {};  // what else a waypoint must satisfy
   std::vector<PanelPair> watched = {};  // kept apart wherever they are near each other, also before they collide
 };
 

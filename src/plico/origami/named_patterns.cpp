@@ -8,6 +8,7 @@
 
 #include "plico/base/error.h"
 #include "plico/origami/bases.h"
+#include "plico/origami/kirigami.h"
 #include "plico/origami/patterns.h"
 
 namespace plico {
@@ -54,6 +55,18 @@ CreasePattern make_yoshimura(const PatternOptions& o) {
                     .diagonal_angle = or_else(o.angle, 0.9 * yoshimura_tube_angle(o.columns, sector))});
 }
 
+CreasePattern make_honeycomb(const PatternOptions& o) {
+  return honeycomb(
+      {.columns = o.columns, .rows = o.rows, .wall_angle = or_else(o.angle, HoneycombOptions().wall_angle)});
+}
+
+CreasePattern make_rotating_squares(const PatternOptions& o) {
+  return rotating_squares(
+      {.columns = o.columns, .rows = o.rows, .middle_angle = or_else(o.angle, RotatingSquaresOptions().middle_angle)});
+}
+
+CreasePattern make_pop_up(const PatternOptions& o) { return pop_up(or_else(o.angle, kPi / 2)); }
+
 std::vector<Entry> make_entries() {
   return {
       {{"miura", "parallelograms that fold flat all at once, in one way", true, true, "zigzag creases",
@@ -74,6 +87,13 @@ std::vector<Entry> make_entries() {
       base("fly2", "the same with one corner tucked", fly2),
       base("sailboat", "the dissertation's largest base: 32 creases, 13 vertices, folded flat", sailboat),
       base("letter", "folded in three, then bent: only one fold after the other gets there", letter),
+      {{"honeycomb", "kirigami: strips between slits that close to hexagons", true, false, "walls of the hexagons", "",
+        3, 4},
+       make_honeycomb},
+      {{"rotating-squares", "kirigami: squares that turn in their plane as the gussets between them fold", true, false,
+        "creases in the middle of the gussets", "", 5, 5},
+       make_rotating_squares},
+      {{"pop-up", "kirigami: a card with three boxes between slits", false, false, "creases", "", 0, 0}, make_pop_up},
       base("square-twist", "folds flat, but no rigid motion leads there", square_twist),
   };
 }

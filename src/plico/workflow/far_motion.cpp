@@ -5,8 +5,10 @@
 #include <cmath>
 
 #include "plico/origami/approach.h"
+#include "plico/origami/closure.h"
 #include "plico/origami/elastic_start.h"
 #include "plico/origami/facets.h"
+#include "plico/verify/deformation.h"
 #include "plico/verify/sheet_motion.h"
 #include "plico/workflow/plan_origami.h"
 
@@ -23,14 +25,17 @@ constexpr double kNearFlat = 0.3;        // of the way: then creases may also tu
 constexpr double kPulledBelow = 0.8;     // of the way: then states are looked for that creases are pulled to
 constexpr double kFewWays = 0.5;         // of the way: then pulled creases may also go to the other side
 constexpr double kPulledTo[] = {0.1, 0.3, 0.6};
-constexpr double kSearchTime = 0.5;       // of what is left: the rest is for the proof
-constexpr double kFirstSearchTime = 0.7;  // of that, for a search that others follow
-constexpr double kWholeTime = 0.4;        // of what is left, for whole panels when facets come next
-constexpr int kMostCutLong = 600;         // creases and cuts: then other diagonals are tried too
-constexpr int kMostCutDrawn = 400;        // the same: then drawn ones
-constexpr int kDraws = 6;                 // of diagonals
-constexpr double kFirstCutTime = 0.5;     // of what is left, for the shortest diagonals when others come next
-constexpr int kGoRounds = 8;              // of panels that the proof met
+constexpr double kSearchTime = 0.5;         // of what is left: the rest is for the proof
+constexpr double kFirstSearchTime = 0.7;    // of that, for a search that others follow
+constexpr double kWholeTime = 0.4;          // of what is left, for whole panels when facets come next
+constexpr int kMostCutLong = 600;           // creases and cuts: then other diagonals are tried too
+constexpr int kMostCutDrawn = 400;          // the same: then drawn ones
+constexpr int kDraws = 6, kMostDraws = 16;  // of diagonals
+constexpr int kMostCutInAll = 640;     // creases and cuts of all draws together, where that allows more than the least
+constexpr double kFirstCutTime = 0.5;  // of what is left, for the shortest diagonals when others come next
+constexpr int kGoRounds = 8;           // of panels that the proof met
+constexpr double kCloses = 1e-9;       // radians: of waypoints that are not open on purpose
+constexpr double kOpenToBegin[] = {1.0, 0.25};  // radians over the deformation, by which loops may be open
 constexpr double kShort = radians(0.5);
 constexpr double kBends = 1e-9;  // radians
 constexpr int kMostNamed = 3;
@@ -240,10 +245,12 @@ bool same_cuts(const Facets& a, const Facets& b) { return a.sheet.faces == b.she
 FarMotion go_on_in_facets(const CreasePattern& sheet, const MotionOptions& options, const Run& run) {
   const Facets shortest = cut_into_facets(sheet);
   const int creases = make_linkage(shortest.sheet).num_hinges();
-  const int tries = creases > kMostCutLong ? 0 : creases > kMostCutDrawn ? 1 : 1 + kDraws;
+  const int draws = std::clamp(kMostCutInAll / std::max(1, creases), kDraws, kMostDraws);
+  const int tries = creases > kMostCutLong ? 0 : creases > kMostCutDrawn ? 1 : 1 + draws;
   FarMotion best = go_on_in(shortest, sheet, options, 0, tries > 0 ? share_of_time(run, kFirstCutTime) : run);
   for (int i = 0; i < tries && best.share < kFarEnough && !run.over(); ++i) {
-    const Facets other = cut_into_facets(sheet, i == 0 ? CutChoice::Long : CutChoice::Drawn, options.seed + i);
+    const CutChoice choice = i == 0 ? CutChoice::Long : i % 2 == 1 ? CutChoice::Alike : CutChoice::Drawn;
+    const Facets other = cut_into_facets(sheet, choice, options.seed + i);
     if (same_cuts(other, shortest)) continue;
     const double least = best.share + kWorthCutting;
     FarMotion found = go_on_in(other, sheet, options, least, share_of_time(run, 1.0 / (tries - i)));
@@ -251,6 +258,55 @@ FarMotion go_on_in_facets(const CreasePattern& sheet, const MotionOptions& optio
     if (found.share > least) best = std::move(found);
   }
   return best;
+}
+
+// Without what follows the first waypoint that is deformed more than allowed.
+void cut_where_deformed(const CreasePattern& sheet, const Linkage& linkage, double most, FoldingPath& path) {
+  std::vector<Waypoint>& waypoints = path.waypoints;
+  const auto beyond = std::find_if(waypoints.begin(), waypoints.end(), [&](const Waypoint& w) {
+    return tear(sheet, linkage, w.config).deformation > most;
+  });
+  waypoints.erase(beyond, waypoints.end());
+  if (waypoints.size() > 1) stretch_times(path);
+}
+
+// As go_on, with loops open by up to `open` radians.
+FarMotion go_open(const Linkage& linkage, const CreasePattern& sheet, const MotionOptions& options, double open,
+                  const Run& run) {
+  const double exact = options.clearance > 0 ? options.clearance : default_clearance(linkage);
+  const double clearance = deformed_clearance(exact, options.deformation);
+  const double widest = (clearance - exact) / diagonal(sheet);
+  ApproachOptions approach;
+  approach.frames = options.waypoints;
+  approach.collision.clearance = clearance;
+  approach.tolerance = open;
+  approach.damping = std::max(approach.damping, open / 100);
+  approach.accepts = [&](const Configuration& config) {
+    const Tear torn = tear(sheet, linkage, config);
+    return torn.gap <= widest && torn.deformation <= options.deformation;
+  };
+  ContinuationResult found = approach_goal(linkage, {}, approach, share_of_time(run, kSearchTime));
+  FarMotion result;
+  if (found.path.waypoints.size() > 1) {
+    result.motion = prove_as_far(linkage, found.path, MotionMethod::Continuation, clearance, run, nullptr, open);
+    const std::size_t before = result.motion.path.waypoints.size();
+    cut_where_deformed(sheet, linkage, options.deformation, result.motion.path);
+    if (result.motion.path.waypoints.size() < before && result.motion.path.waypoints.size() > 1)
+      result.motion =
+          prove_as_far(linkage, result.motion.path, MotionMethod::Continuation, clearance, run, nullptr, open);
+  }
+  result.timed_out = run.over() || found.ending == Ending::TimedOut;
+  if (result.motion.path.waypoints.size() < 2 || result.motion.proof.verdict != PathVerdict::Free) {
+    result.motion.path.waypoints.clear();
+    result.notes.push_back(why(linkage, found, result.motion));
+    return result;
+  }
+  const Configuration& end = result.motion.path.waypoints.back().config;
+  result.share = share_of_way(linkage, end);
+  result.reached = found.ending == Ending::Found && end == found.path.waypoints.back().config;
+  if (!result.reached)
+    result.notes.push_back(fmt::format("{}; {}", why(linkage, found, result.motion), short_creases(linkage, end)));
+  return result;
 }
 
 }  // namespace
@@ -262,14 +318,17 @@ Run share_of_time(const Run& run, double share) {
 }
 
 Motion prove_as_far(const Linkage& linkage, const FoldingPath& planned, MotionMethod method, double clearance,
-                    const Run& run, std::vector<PanelPair>* met) {
+                    const Run& run, std::vector<PanelPair>* met, double open) {
   Motion motion{method, planned, {}};
   stretch_times(motion.path);
-  motion.path = refine_path(linkage, motion.path, kOpening * clearance, share_of_time(run, kRefineTime));
+  const double gap = kOpening * (open > 0 ? std::min(clearance, default_clearance(linkage)) : clearance);
+  motion.path = refine_path(linkage, motion.path, gap, share_of_time(run, kRefineTime), std::max(kCloses, open));
   cut_where_coarse(linkage, clearance, motion.path);
+  PathProofOptions proof{.clearance = clearance, .max_looks = kMostLooks};
+  if (open > 0) proof.closing = kOpenOnPurpose;
   Motion shown;
   for (int cuts = 0; cuts <= kMostCuts && motion.path.waypoints.size() > 1; ++cuts) {
-    motion.proof = prove_path(linkage, motion.path, {.clearance = clearance, .max_looks = kMostLooks}, run);
+    motion.proof = prove_path(linkage, motion.path, proof, run);
     if (motion.proof.verdict == PathVerdict::Free) return motion;
     if (met && motion.proof.panel_a >= 0)
       met->push_back(
@@ -281,6 +340,18 @@ Motion prove_as_far(const Linkage& linkage, const FoldingPath& planned, MotionMe
     if (run.over()) break;
   }
   return shown;
+}
+
+FarMotion go_deformed(const Linkage& linkage, const CreasePattern& sheet, const MotionOptions& options,
+                      const Run& run) {
+  FarMotion best;
+  const int tries = static_cast<int>(std::size(kOpenToBegin));
+  for (int i = 0; i < tries && !best.reached && !run.over(); ++i) {
+    const double open = kOpenToBegin[i] * options.deformation;
+    FarMotion far = go_open(linkage, sheet, options, open, share_of_time(run, 1.0 / (tries - i)));
+    if (i == 0 || far.share > best.share) best = std::move(far);
+  }
+  return best;
 }
 
 FarMotion go_as_far(const Linkage& linkage, const CreasePattern* sheet, const FoldingPath& begun,

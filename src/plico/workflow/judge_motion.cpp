@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "plico/base/error.h"
+#include "plico/verify/deformation.h"
 #include "plico/verify/overlap.h"
 
 namespace plico {
@@ -33,6 +34,15 @@ std::optional<double> claimed_share(const std::string& report) {
   return motion["progress"].get<double>();
 }
 
+// By how much edges may change their length, as the file says; 0 when it says nothing that can be.
+double claimed_deformation(const std::string& report) {
+  const nlohmann::json root = nlohmann::json::parse(report, nullptr, false);
+  const nlohmann::json::json_pointer place("/motion/deformation/allowed");
+  if (!root.is_object() || !root.contains(place) || !root[place].is_number()) return 0;
+  const double allowed = root[place].get<double>();
+  return allowed > 0 && allowed <= kMostDeformation ? allowed : 0;
+}
+
 class MotionJudge {
  public:
   MotionJudge(const FoldFile& file, const Linkage& linkage, const std::optional<Mesh>& mesh, const Run& run)
@@ -47,6 +57,7 @@ class MotionJudge {
     judge_goal();
     judge_limits();
     judge_points();
+    judge_deformation();
     return std::move(verdict_);
   }
 
@@ -137,6 +148,16 @@ class MotionJudge {
                       off);
       }
     }
+  }
+
+  void judge_deformation() {
+    verdict_.may_deform = claimed_deformation(file_.report);
+    if (verdict_.may_deform == 0) return;
+    const Deformation measured = measure_deformation(file_.net.sheet, linkage_, *file_.path);
+    verdict_.deformation = measured.worst;
+    if (measured.worst > verdict_.may_deform)
+      defect("motion/deformation", "at waypoint {} edge {} changes its length by {:.3g} %, the file allows {:.3g} %",
+             measured.waypoint, measured.edge, 100 * measured.worst, 100 * verdict_.may_deform);
   }
 
   const FoldFile& file_;

@@ -12,6 +12,7 @@
 #include "plico/fold/linkage.h"
 #include "plico/io/pattern/pattern_file.h"
 #include "plico/io/text/xml_text.h"
+#include "plico/origami/settle.h"
 #include "plico/workflow/plan_sheets.h"
 
 namespace plico {
@@ -21,6 +22,7 @@ using GalleryClock = std::chrono::steady_clock;
 
 constexpr double kThumbnail = 200;  // width and height of the drawings
 constexpr double kAtGoal = 0.98;    // within 2 % of it
+constexpr double kHalfWay = 0.5, kSomeWay = 0.3;
 
 const char* thumbnail_stroke(Assignment assignment) {
   switch (assignment) {
@@ -117,8 +119,30 @@ std::optional<PatternFile> read_row(std::string_view bytes, const DrawingOptions
   }
 }
 
+// What columns of their own tell already.
+bool says_what_was_done(const std::string& note) {
+  for (const char* done : {"settled: ", "cut by flat creases", "panels were cut by flat creases"})
+    if (note.find(done) != std::string::npos) return true;
+  return false;
+}
+
+void measure_row(const CreasePattern& drawn, const MotionOutcome& outcome, GalleryRow& row) {
+  row.cut = !outcome.bends.empty();
+  for (const double bend : outcome.bends) {
+    row.bent += bend > 0;
+    row.bend = std::max(row.bend, bend);
+  }
+  if (outcome.sheet)
+    for (int v = 0; v < drawn.num_vertices(); ++v)
+      row.settled = std::max(row.settled, (outcome.sheet->vertices[v] - drawn.vertices[v]).norm());
+  if (row.settled > 0) row.settled_share = row.settled / shortest_edge(drawn);
+  for (const std::string& note : outcome.notes)
+    if (!says_what_was_done(note)) row.why_not.push_back(note);
+}
+
 void plan_row(FoldFile& file, const Linkage& linkage, const MotionOptions& options, const Run& run, GalleryRow& row) {
   const MotionOutcome outcome = plan_sheets(file.net.sheet, options, run);
+  measure_row(file.net.sheet, outcome, row);
   row.planned = true;
   row.ending = outcome.ending;
   row.motion_notes = outcome.notes;
@@ -139,18 +163,43 @@ std::string quoted_cell(std::string text) {
   return '"' + text + '"';
 }
 
+std::string lines(const std::vector<std::string>& sentences) {
+  std::string html;
+  for (const std::string& sentence : sentences) html += (html.empty() ? "" : "<br>") + xml_text(sentence);
+  return html;
+}
+
+const char* proof_word(const GalleryRow& row) {
+  if (!row.planned || row.folded_svg.empty()) return "-";
+  return row.proven ? "proven" : "not proven";
+}
+
+std::string settled_cell(const GalleryRow& row) {
+  if (row.settled == 0) return "-";
+  return fmt::format("{:.2g}<br>{:.2g} of the shortest edge", row.settled, row.settled_share);
+}
+
+std::string facets_cell(const GalleryRow& row) {
+  if (!row.cut) return row.planned ? "whole panels" : "-";
+  return fmt::format("{} of {} panels bend, by up to {:.3g}&deg;", row.bent, row.panels, degrees(row.bend));
+}
+
+// Green, yellow and red as the goals of the page count.
+const char* row_class(const GalleryRow& row) {
+  const double proven = row.proven ? row.progress : 0;
+  return proven >= kAtGoal ? "goal" : proven >= kHalfWay ? "half" : proven >= kSomeWay ? "some" : "none";
+}
+
 std::string html_row(const GalleryRow& row) {
   const std::string reached = row.planned ? fmt::format("{:.4g} %", 100 * row.progress) : "-";
-  const char* proof = !row.planned || row.folded_svg.empty() ? "-" : row.proven ? "proven" : "not proven";
-  std::string why = xml_text(row.refused);
-  for (const std::string& note : row.motion_notes) why += (why.empty() ? "" : "<br>") + xml_text(note);
-  std::string notes;
-  for (const std::string& note : row.read_notes) notes += (notes.empty() ? "" : "<br>") + xml_text(note);
+  const bool there = row.proven && row.progress >= 1;
+  const std::string why = row.refused.empty() ? there ? "" : lines(row.why_not) : xml_text(row.refused);
   return fmt::format(
       "<tr><th>{}</th><td>{}</td><td>{}</td><td>{} vertices<br>{} creases<br>{} panels<br>{} sheet{}</td><td>{}</td>"
-      "<td>{}<br>{}</td><td>{}</td><td>{:.2f} s</td></tr>\n",
+      "<td>{}</td><td>{}</td><td class=\"{}\"><b>{}</b><br>{}</td><td>{}</td><td>{:.2f} s</td></tr>\n",
       xml_text(row.file), row.pattern_svg, row.folded_svg, row.vertices, row.creases, row.panels, row.sheets,
-      row.sheets == 1 ? "" : "s", notes, reached, proof, why, row.seconds);
+      row.sheets == 1 ? "" : "s", lines(row.read_notes), settled_cell(row), facets_cell(row), row_class(row), reached,
+      proof_word(row), why, row.seconds);
 }
 
 }  // namespace
@@ -188,23 +237,30 @@ std::string gallery_page(const std::vector<GalleryRow>& rows) {
   std::string page =
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Crease patterns</title>\n<style>"
       "body{font:14px sans-serif;margin:1em}table{border-collapse:collapse}td,th{border:1px solid #ccc;padding:4px;"
-      "vertical-align:top;text-align:left}td:nth-child(5),td:nth-child(7){max-width:22em;font-size:12px}"
+      "vertical-align:top;text-align:left}td:nth-child(5),td:nth-child(9){min-width:14em;max-width:22em;font-size:12px}"
+      "td:nth-child(6),td:nth-child(7){max-width:8em;font-size:12px}thead th{position:sticky;top:0;background:#fff}"
+      ".goal{background:#d9f0d3}.half{background:#fdf6c8}.some{background:#fde3c8}.none{background:#f9d4d4}"
       "polyline{fill:none}</style></head>\n<body><h1>Crease patterns</h1><p>" +
       xml_text(gallery_summary(rows)) +
       "</p>\n<table><thead><tr><th>file</th><th>pattern</th><th>as far as it folds</th><th>counts</th><th>reading</th>"
-      "<th>of the way</th><th>what was done, or why not</th><th>time</th></tr></thead>\n<tbody>\n";
+      "<th>settled by</th><th>facets</th><th>of the way</th><th>why not "
+      "farther</th><th>time</th></tr></thead>\n<tbody>\n";
   for (const GalleryRow& row : rows) page += html_row(row);
   return page + "</tbody></table></body></html>\n";
 }
 
 std::string gallery_csv(const std::vector<GalleryRow>& rows) {
-  std::string csv = "file,read,vertices,creases,panels,sheets,percent,proven,ending,seconds,reading,notes\n";
+  std::string csv =
+      "file,read,vertices,creases,panels,sheets,settled,settled_of_shortest_edge,cut,bent,bend_deg,percent,proven,"
+      "ending,"
+      "seconds,reading,why_not,notes\n";
   for (const GalleryRow& row : rows)
-    csv +=
-        fmt::format("{},{},{},{},{},{},{:.4f},{},{},{:.3f},{},{}\n", quoted_cell(row.file), row.panels > 0 ? 1 : 0,
-                    row.vertices, row.creases, row.panels, row.sheets, 100 * row.progress, row.proven ? 1 : 0,
-                    row.planned ? name(row.ending) : "refused", row.seconds, quoted_cell(joined(row.read_notes, "; ")),
-                    quoted_cell(row.refused + joined(row.motion_notes, "; ")));
+    csv += fmt::format("{},{},{},{},{},{},{:.4g},{:.4g},{},{},{:.4g},{:.4f},{},{},{:.3f},{},{},{}\n",
+                       quoted_cell(row.file), row.panels > 0 ? 1 : 0, row.vertices, row.creases, row.panels, row.sheets,
+                       row.settled, row.settled_share, row.cut ? 1 : 0, row.bent, degrees(row.bend), 100 * row.progress,
+                       row.proven ? 1 : 0, row.planned ? name(row.ending) : "refused", row.seconds,
+                       quoted_cell(joined(row.read_notes, "; ")), quoted_cell(row.refused + joined(row.why_not, "; ")),
+                       quoted_cell(joined(row.motion_notes, "; ")));
   return csv;
 }
 
@@ -216,8 +272,8 @@ std::string gallery_summary(const std::vector<GalleryRow>& rows) {
   return fmt::format(
       "{} patterns: {} read; proven: {} to the goal or within 2 % of it, {} at least half of the way, {} "
       "at least 30 %",
-      rows.size(), count([](const GalleryRow& r) { return r.panels > 0; }), proven_beyond(kAtGoal), proven_beyond(0.5),
-      proven_beyond(0.3));
+      rows.size(), count([](const GalleryRow& r) { return r.panels > 0; }), proven_beyond(kAtGoal),
+      proven_beyond(kHalfWay), proven_beyond(kSomeWay));
 }
 
 }  // namespace plico

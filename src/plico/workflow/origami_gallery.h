@@ -24,9 +24,14 @@ struct GalleryRow {
   std::vector<std::string> read_notes, motion_notes;
   bool planned = false, proven = false;
   Ending ending = Ending::Exhausted;
-  double progress = 0;                  // of the way to the goal, of the motion; 0 without one
-  double seconds = 0;                   // of planning and proof
-  std::string pattern_svg, folded_svg;  // thumbnails; empty when there is nothing to see
+  double settled = 0, settled_share = 0;  // largest move of a vertex, in units and shortest edges; 0 as drawn
+  bool cut = false;                       // panels, by flat creases
+  int bent = 0;                           // panels that bend along them
+  double bend = 0;                        // of the one that bends most, radians
+  double progress = 0;                    // of the way to the goal, of the motion; 0 without one
+  double seconds = 0;                     // of planning and proof
+  std::vector<std::string> why_not;       // the notes that say what stops it
+  std::string pattern_svg, folded_svg;    // thumbnails; empty when there is nothing to see
 };
 
 // Reads and plans one pattern as plico fold does. Input that cannot be used is told in the row; nothing is thrown but

@@ -45,6 +45,7 @@ struct MotionOptions {
   bool grouped = false;                     // creases of one group turn together (origami/crease_groups.h)
   std::vector<Configuration> through = {};  // states to be passed in this order, by MD-FROG; each must close
   FacetPolicy facets = FacetPolicy::Auto;
+  double deformation = 0;  // share by which edges may change their length where exact motions stop early, in [0, 0.1]
   // Without:
   bool may_search = true;  // Auto: false leaves out lazy-prm
   double effort = 1;       // share of most_states() that planners may check, in (0, 1]
@@ -65,6 +66,7 @@ struct MotionOutcome {
   std::vector<std::string> notes;      // with loops: what stood in the way, or was done to get there; sentences
   std::optional<CreasePattern> sheet;  // with loops: that the motions fold, when panels were cut or vertices settled
   std::vector<double> bends;           // panels cut: of each given one, radians at most; 0 stays flat
+  double deformation = 0;              // of an edge at most, measured; 0: loops close exactly
   bool proven() const { return !motions.empty() && motions.front().proof.verdict == PathVerdict::Free; }
 };
 

@@ -86,6 +86,8 @@ class OrigamiPlanning {
  private:
   MotionOutcome finish() {
     if (run_.over() && !outcome_.proven()) outcome_.ending = run_.ending();
+    const bool enough = static_cast<int>(outcome_.motions.size()) >= options_.alternatives;
+    if (outcome_.ending == Ending::Found && !enough) outcome_.ending = Ending::Exhausted;
     return std::move(outcome_);
   }
 
@@ -102,6 +104,7 @@ class OrigamiPlanning {
     outcome_.progress = found.progress;
     if (const std::string note = describe(linkage_, found); !note.empty()) outcome_.notes.push_back(note);
     if (found.ending == Ending::Found) prove(found.path, MotionMethod::Continuation);
+    if (outcome_.proven() && within && may_go_round && options_.alternatives > 1) return look_for_alternatives();
     const bool blocked = found.obstacle != Obstacle::None && found.obstacle != Obstacle::GoalOpen;
     const bool refuted = found.ending == Ending::Found && !outcome_.proven();
     if (may_go_round && within && (blocked || refuted) && !goal_collides() && !run_.over()) {
@@ -115,6 +118,18 @@ class OrigamiPlanning {
     } else if (found.ending != Ending::Found && found.path.waypoints.size() > 1) {
       prove(found.path, MotionMethod::Continuation);
     }
+  }
+
+  // One way straight to the goal is not several; others go through discrete states.
+  void look_for_alternatives() {
+    const MotionOutcome straight = outcome_;
+    if (linkage_.num_hinges() <= kMostCreasesSearched) {
+      search_states();
+    } else {
+      outcome_.notes.push_back(fmt::format("{} creases are many for a search of other ways; --planner md-frog tries",
+                                           linkage_.num_hinges()));
+    }
+    if (!outcome_.proven()) outcome_ = straight;
   }
 
   // A goal beyond the limits is still where the way leads, to be left where the material ends (keep_limits).
@@ -331,14 +346,14 @@ class OrigamiPlanning {
 
 // Waypoints strictly between two, or none when the sheet does not close near the straight line.
 std::vector<Waypoint> between(Projector& projector, const ProjectOptions& within, const Waypoint& a, const Waypoint& b,
-                              int pieces, const Run& run) {
+                              int pieces, double closed, const Run& run) {
   std::vector<Waypoint> inserted;
   const double most = 0.5 * (b.config - a.config).cwiseAbs().maxCoeff();
   for (int i = 1; i < pieces; ++i) {
     const double share = static_cast<double>(i) / pieces;
     const Configuration straight = (1 - share) * a.config + share * b.config;
     Projection projection = projector.project(straight, within, run);
-    if (projection.closure.worst > kClosed || (projection.config - straight).cwiseAbs().maxCoeff() > most) return {};
+    if (projection.closure.worst > closed || (projection.config - straight).cwiseAbs().maxCoeff() > most) return {};
     inserted.push_back({(1 - share) * a.time + share * b.time, std::move(projection.config)});
   }
   return inserted;
@@ -346,10 +361,11 @@ std::vector<Waypoint> between(Projector& projector, const ProjectOptions& within
 
 }  // namespace
 
-FoldingPath refine_path(const Linkage& linkage, const FoldingPath& path, double gap, const Run& run) {
+FoldingPath refine_path(const Linkage& linkage, const FoldingPath& path, double gap, const Run& run, double closed) {
   require(gap > 0, "gap", gap, "above 0");
   Projector projector(linkage);
-  const ProjectOptions within{.low = lower_limits(linkage), .high = upper_limits(linkage)};
+  ProjectOptions within{.low = lower_limits(linkage), .high = upper_limits(linkage)};
+  if (closed > kClosed) within.tolerance = closed, within.damping = std::max(within.damping, closed / 100);
   FoldingPath refined = path;
   for (int i = 0; i < kRefinements; ++i) {
     const SheetMotion motion(linkage, refined);
@@ -361,7 +377,7 @@ FoldingPath refine_path(const Linkage& linkage, const FoldingPath& path, double 
       if (w + 1 == old.size() || motion.gap_after(static_cast<int>(w)) <= gap || run.over()) continue;
       const int pieces = std::min(
           kMostPieces, static_cast<int>(std::ceil(std::sqrt(1.05 * motion.gap_after(static_cast<int>(w)) / gap))));
-      for (Waypoint& inserted : between(projector, within, old[w], old[w + 1], pieces, run))
+      for (Waypoint& inserted : between(projector, within, old[w], old[w + 1], pieces, std::max(closed, kClosed), run))
         next.waypoints.push_back(std::move(inserted));
     }
     if (next.waypoints.size() == old.size()) break;

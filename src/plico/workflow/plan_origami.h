@@ -35,7 +35,8 @@ inline constexpr double kMostGoalMove = radians(0.5);
 
 // The path with waypoints inserted, each closed, until hinges open between two by at most `gap` units, if they can be
 // found near the straight line between their neighbours and within the limits of the hinges. Times of the given
-// waypoints stay. O(waypoints * creases).
-FoldingPath refine_path(const Linkage& linkage, const FoldingPath& path, double gap, const Run& run = {});
+// waypoints stay. `closed`: radians that loops may be open by, in paths that were planned so. O(waypoints * creases).
+FoldingPath refine_path(const Linkage& linkage, const FoldingPath& path, double gap, const Run& run = {},
+                        double closed = 1e-9);
 
 }  // namespace plico

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "plico/verify/deformation.h"
 #include "plico/workflow/far_motion.h"
 #include "plico/workflow/plan_drawn.h"
 
@@ -142,12 +143,19 @@ MotionOutcome plan_sheets(const CreasePattern& drawing, const MotionOptions& opt
   const Linkage linkage = make_linkage(whole);
   FoldingPath path = one_after_the_other(whole, sheets, outcomes);
   result.ending = worst_ending(outcomes);
+  if (result.ending == Ending::Found && options.alternatives > 1) result.ending = Ending::Exhausted;  // one is made
   if (changed) result.sheet = whole;
   result.progress = 0;
   if (path.waypoints.size() < 2) return result;
   result.progress = share_of_way(linkage, path.waypoints.back().config);
   Motion motion{MotionMethod::Continuation, std::move(path), {}};
-  motion.proof = prove_path(linkage, motion.path, {.clearance = own.clearance}, run);
+  PathProofOptions proof{.clearance = own.clearance};
+  for (const MotionOutcome& outcome : outcomes) result.deformation = std::max(result.deformation, outcome.deformation);
+  if (result.deformation > 0) {
+    proof.clearance = deformed_clearance(own.clearance, options.deformation);
+    proof.closing = kOpenOnPurpose;
+  }
+  motion.proof = prove_path(linkage, motion.path, proof, run);
   result.motions.push_back(std::move(motion));
   return result;
 }

@@ -113,8 +113,16 @@ void open_spatial_frame(JsonText& json, int parent = 0) {
   json.raw("true");
 }
 
+void write_face_orders(JsonText& json, const std::vector<FaceOrder>& orders) {
+  std::string list;
+  for (const FaceOrder& order : orders)
+    list += fmt::format("{}[{},{},{}]", list.empty() ? "" : ",", order.f, order.g, order.side);
+  json.key("faceOrders");
+  json.raw("[" + list + "]");
+}
+
 void write_waypoint(JsonText& json, const Waypoint& waypoint, const std::vector<Vec3>& points,
-                    const std::vector<int>& hinge, int parent) {
+                    const std::vector<int>& hinge, int parent, const std::vector<FaceOrder>& orders) {
   open_spatial_frame(json, parent);
   json.key("plico:time");
   json.number(waypoint.time);
@@ -122,6 +130,7 @@ void write_waypoint(JsonText& json, const Waypoint& waypoint, const std::vector<
   for (int h : hinge) angles.push_back(h < 0 ? 0 : waypoint.config[h]);
   write_angles(json, angles);
   write_points(json, points);
+  if (!orders.empty()) write_face_orders(json, orders);
   json.close();
 }
 
@@ -164,7 +173,7 @@ class FrameWriter {
     if (!file_.pieces.empty())
       write_pieces();
     else if (file_.path)
-      write_motion(*file_.path, file_.path_points, hinge_of_edge(file_.net.sheet), 0);
+      write_motion(*file_.path, file_.path_points, hinge_of_edge(file_.net.sheet), 0, file_.end_orders);
     for (const std::string& frame : file_.other_frames) {
       next();
       json_.raw(frame);
@@ -185,10 +194,11 @@ class FrameWriter {
   }
 
   void write_motion(const FoldingPath& path, const std::vector<std::vector<Vec3>>& points,
-                    const std::vector<int>& hinge, int parent) {
+                    const std::vector<int>& hinge, int parent, const std::vector<FaceOrder>& end_orders) {
     for (std::size_t i = 0; i < path.waypoints.size(); ++i) {
       next();
-      write_waypoint(json_, path.waypoints[i], points[i], hinge, parent);
+      const bool last = i + 1 == path.waypoints.size();
+      write_waypoint(json_, path.waypoints[i], points[i], hinge, parent, last ? end_orders : std::vector<FaceOrder>());
     }
   }
 
@@ -199,7 +209,7 @@ class FrameWriter {
       const FoldPiece& piece = file_.pieces[i];
       next();
       write_piece(json_, piece, pieces[i].net, static_cast<int>(i));
-      if (piece.path) write_motion(*piece.path, piece.points, hinge_of_edge(pieces[i].net.sheet), written_);
+      if (piece.path) write_motion(*piece.path, piece.points, hinge_of_edge(pieces[i].net.sheet), written_, {});
     }
   }
 
@@ -234,6 +244,7 @@ void share_motion(FoldFile& file) {
     }
   }
   file.path_points.clear();
+  file.end_orders.clear();
 }
 
 }  // namespace
@@ -264,6 +275,7 @@ void set_sheet(FoldFile& file, const CreasePattern& sheet) {
   file.pieces.clear();
   file.path.reset();
   file.path_points.clear();
+  file.end_orders.clear();
 }
 
 void set_path(FoldFile& file, const Linkage& linkage, const FoldingPath& path) {
@@ -274,6 +286,7 @@ void set_path(FoldFile& file, const Linkage& linkage, const FoldingPath& path) {
     for (int v : sheet.faces[f]) panel_of[v] = f;
   file.path = path;
   file.path_points.clear();
+  file.end_orders.clear();
   for (const Waypoint& waypoint : path.waypoints) {
     const std::vector<Pose> poses = folding_map(linkage, waypoint.config);
     std::vector<Vec3>& points = file.path_points.emplace_back();

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "plico/fold/face_order.h"
 #include "plico/fold/folding_path.h"
 #include "plico/fold/unfolding.h"
 
@@ -33,6 +34,7 @@ struct FoldFile {
   // vertices in space (n x 3).
   std::optional<FoldingPath> path;
   std::vector<std::vector<Vec3>> path_points;
+  std::vector<FaceOrder> end_orders;  // faceOrders of its last waypoint, where the motion of one piece ends flat
 
   std::vector<FoldPiece> pieces;  // of a kit, one for each part of the net; files of one piece have none
 

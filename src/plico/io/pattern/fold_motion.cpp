@@ -70,14 +70,37 @@ Waypoint read_waypoint(const Frame& frame, const std::vector<int>& hinge) {
 struct ReadMotion {
   std::optional<FoldingPath> path;
   std::vector<std::vector<Vec3>> points;
+  std::vector<FaceOrder> end_orders;
 };
 
-// The frames from `i` on that move the sheet in frame `parent`; `i` becomes the number of the first that does not.
+std::vector<FaceOrder> read_face_orders(const Frame& frame, int panels) {
+  constexpr const char* kKey = "faceOrders";
+  const Json* list = frame.array(kKey);
+  std::vector<FaceOrder> orders;
+  for (std::size_t i = 0; list && i < list->size(); ++i) {
+    const Json& entry = (*list)[i];
+    if (!entry.is_array() || entry.size() != 3)
+      fail("face-orders", "faceOrders holds something that is not two panels and a side", frame.entry(kKey, i));
+    const int f = index(entry[0], panels, frame, kKey, i), g = index(entry[1], panels, frame, kKey, i);
+    const double side = number(entry[2], frame, kKey, i);
+    if (f == g || (side != 1 && side != 0 && side != -1))
+      fail("face-orders", fmt::format("panels {} and {} with side {}, must be two and -1, 0 or 1", f, g, side),
+           frame.entry(kKey, i));
+    orders.push_back({f, g, static_cast<int>(side)});
+  }
+  return orders;
+}
+
+// The frames from `i` on that move the sheet in frame `parent`; `i` becomes the number of the first that does not. The
+// last may have an order of its layers when that is the sheet of the key frame.
 ReadMotion read_waypoints(const std::vector<Frame>& all, std::size_t& i, std::size_t parent,
                           const CreasePattern& sheet) {
   ReadMotion motion;
   std::vector<int> hinge;
-  for (; i < all.size() && is_spatial_frame(all[i].own(), {"edges_foldAngle", "plico:time"}, parent); ++i) {
+  for (bool ended = false; i < all.size() && !ended; ++i) {
+    ended = parent == 0 && is_spatial_frame(all[i].own(), {"edges_foldAngle", "plico:time", "faceOrders"}, parent);
+    if (!ended && !is_spatial_frame(all[i].own(), {"edges_foldAngle", "plico:time"}, parent)) break;
+    if (ended) motion.end_orders = read_face_orders(all[i], sheet.num_faces());
     if (!motion.path) {
       hinge = hinge_of_edge(sheet);
       motion.path.emplace();
@@ -200,6 +223,7 @@ std::size_t read_motion(const std::vector<Frame>& all, FoldFile& file) {
   if (motion.path) {
     file.path = std::move(motion.path);
     file.path_points = std::move(motion.points);
+    file.end_orders = std::move(motion.end_orders);
   } else if (i < all.size() && is_piece(all[i])) {
     return read_pieces(all, i, file);
   }

@@ -12,6 +12,7 @@ void set_pieces(FoldFile& file, const std::vector<std::string>& titles,
   file.pieces.clear();
   file.path.reset();
   file.path_points.clear();
+  file.end_orders.clear();
   bool moves = false;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     FoldFile alone;

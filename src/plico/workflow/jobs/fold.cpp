@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -9,6 +10,8 @@
 
 #include "plico/base/error.h"
 #include "plico/io/pattern/fold.h"
+#include "plico/verify/deformation.h"
+#include "plico/workflow/end_layers.h"
 #include "plico/workflow/jobs/first_try.h"
 #include "plico/workflow/jobs/jobs.h"
 #include "plico/workflow/jobs/motion_report.h"
@@ -22,7 +25,7 @@ namespace plico::jobs {
 namespace {
 
 struct FoldArgs {
-  std::string net, planner = "auto", reuse, facets = "auto";
+  std::string net, planner = "auto", reuse, facets = "auto", deformation;
   std::vector<std::string> through;
   bool grouped = false;
   int alternatives = 1, waypoints = 50;
@@ -59,6 +62,26 @@ MotionOutcome reuse(const Linkage& linkage, const MotionOptions& options, const 
   return reuse_motion(make_linkage(small.net.sheet), *small.path, linkage, options, session.run());
 }
 
+// A crease pattern that somebody drew, no net of a mesh.
+bool is_drawing(const FoldFile& file, const Linkage& linkage) {
+  return file.net.mesh_face.empty() && file.pieces.empty() && linkage.thickness == 0;
+}
+
+// "0.1%" or "0.001"; 0 when nothing was given.
+double read_deformation(const std::string& text) {
+  if (text.empty()) return 0;
+  const char* const end = text.data() + text.size();
+  double value = 0;
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  const bool per_cent = error == std::errc() && rest != end && *rest == '%';
+  if (per_cent) value /= 100;
+  if (error != std::errc() || rest + (per_cent ? 1 : 0) != end || !(value > 0 && value <= kMostDeformation))
+    throw InvalidOption(
+        fmt::format("--deformation {} must be above 0 and at most {:g} %", text, 100 * kMostDeformation),
+        "--deformation 0.1%");
+  return value;
+}
+
 MotionOutcome plan(const FoldFile& file, const Linkage& linkage, const FoldArgs& args, Session& session) {
   MotionOptions options{session.seed(),
                         motion_method(args.planner),
@@ -67,16 +90,22 @@ MotionOutcome plan(const FoldFile& file, const Linkage& linkage, const FoldArgs&
                         args.waypoints,
                         args.grouped,
                         {},
-                        facet_policy(args.facets)};
+                        facet_policy(args.facets),
+                        read_deformation(args.deformation)};
   if (linkage.has_loops()) {
     for (const std::string& state : args.through) options.through.push_back(state_of(state, linkage, session));
     if (!args.reuse.empty()) return reuse(linkage, options, args.reuse, session);
+    if (options.deformation > 0 && (args.grouped || !args.through.empty() || !args.reuse.empty()))
+      throw InvalidOption("--deformation is for every crease by itself, on no given way");
     const bool as_drawn = args.grouped || !args.through.empty();  // both speak of the creases of this very sheet
     return as_drawn ? plan_origami(file.net.sheet, options, session.run())
                     : plan_sheets(file.net.sheet, options, session.run());
   }
-  if (args.grouped || !args.reuse.empty() || !args.through.empty())
-    throw InvalidOption("--grouped, --reuse and --through are for crease patterns with loops; this sheet has none");
+  if (args.grouped || !args.reuse.empty() || !args.through.empty() || options.deformation > 0)
+    throw InvalidOption(
+        "--grouped, --reuse, --through and --deformation are for crease patterns with loops; this sheet has none");
+  if (is_drawing(file, linkage) && file.net.num_parts() == 1 && options.alternatives == 1)
+    return plan_origami(file.net.sheet, options, session.run());  // goes as far as it can
   return file.pieces.empty() ? plico::plan(linkage, options, session.run())
                              : plan_pieces(file.net, options, session.run());
 }
@@ -94,15 +123,33 @@ double share_of_motion(const Linkage& linkage, const MotionOutcome& outcome, std
   return share_of_way(linkage, outcome.motions[i].path.waypoints.back().config);
 }
 
+// Where a proven motion ends flat, the order of its layers.
+void write_end_layers(FoldFile& file, const Linkage& linkage, const Motion& motion, std::size_t i, Session& session) {
+  if (motion.proof.verdict != PathVerdict::Free) return;
+  EndLayers layers = end_layers(file.net.sheet, linkage, motion.path);
+  if (!layers.flat) return;
+  session.report()["motions"][i]["end_layers"] = {{"pairs", layers.orders.size()}, {"why", layers.why}};
+  session.say(layers.why.empty() ? fmt::format("ends flat: an order of {} pairs of panels that lie on each other, "
+                                               "verified at {} places",
+                                               layers.orders.size(), layers.places)
+                                 : "ends flat without an order of its layers: " + layers.why);
+  file.end_orders = std::move(layers.orders);
+}
+
+// `allowed`: deformation, of a motion whose loops need not close.
 void write_motions(Session& session, FoldFile& file, const Linkage& linkage, const MotionOutcome& outcome,
-                   const std::vector<std::string>& outputs) {
+                   const std::vector<std::string>& outputs, double allowed) {
   for (std::size_t i = 0; i < outcome.motions.size(); ++i) {
     nlohmann::json provenance = session.provenance();
     provenance["motion"] = motion_json(outcome.motions[i].proof);
-    if (linkage.has_loops()) provenance["motion"]["progress"] = share_of_motion(linkage, outcome, i);
+    if (linkage.has_loops() || outcome.progress < 1)
+      provenance["motion"]["progress"] = share_of_motion(linkage, outcome, i);
     provenance["motion"]["planner"] = name(outcome.motions[i].method);
+    if (outcome.deformation > 0)
+      provenance["motion"]["deformation"] = {{"allowed", allowed}, {"measured", outcome.deformation}};
     file.report = provenance.dump();
     set_path(file, linkage, outcome.motions[i].path);
+    if (is_drawing(file, linkage)) write_end_layers(file, linkage, outcome.motions[i], i, session);
     const std::string bytes = write_fold(file);
     for (const std::string& path : outputs)
       if (i == 0 || path != "-") session.write(path_of_alternative(path, i), bytes);
@@ -148,13 +195,19 @@ int fold_file(const FoldArgs& args, Session& session) {
     if (share < 1) session.say(fmt::format("reached {:.4g} % of the way to the goal", 100 * share));
     session.report()["progress"] = share;
     for (const std::string& note : outcome.notes) session.report()["notes"].push_back(note);
+    session.report()["deformation"] = outcome.deformation;
+    if (!args.deformation.empty() && outcome.deformation == 0 && !outcome.motions.empty())
+      session.say("exact: the loops close without any deformation");
     if (!outcome.proven() || share < kStaysFlat) session.say(tell_what_stops(drawn, outcome, args.net));
+  } else if (outcome.progress < 1) {
+    session.report()["progress"] = share_of_motion(linkage, outcome, 0);
+    session.say(fmt::format("reached {:.4g} % of the way to the goal", 100 * share_of_motion(linkage, outcome, 0)));
   }
   session.report()["panels"] = linkage.num_panels();
   session.report()["hinges"] = linkage.num_hinges();
   session.report()["ending"] = name(outcome.ending);
   session.report()["motions"] = motions;
-  write_motions(session, file, linkage, outcome, outputs);
+  write_motions(session, file, linkage, outcome, outputs, read_deformation(args.deformation));
   return Session::exit_code(outcome.ending);
 }
 
@@ -190,6 +243,9 @@ Job fold_job() {
               "--facets",
               "with loops: cut panels by flat creases along which they bend: when whole ones stop early, never, all",
               args->facets, facet_policies())
+          .option("--deformation", "SHARE",
+                  "with loops: how much edges may stretch or shrink where an exact motion stops early, such as 0.1%",
+                  args->deformation)
           .angle("--max-fold-angle", "largest fold angle that the material allows; the file may limit each crease",
                  args->max_fold_angle, {0, 180})
           .action([args](Session& session) { return fold_file(*args, session); });

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "plico/base/error.h"
+#include "plico/origami/closure.h"
 #include "plico/origami/named_patterns.h"
 #include "plico/origami/pattern_check.h"
 #include "plico/workflow/jobs/jobs.h"
@@ -44,7 +45,7 @@ int list_patterns(Session& session) {
                         {"has_sector", pattern.has_sector},
                         {"angle_of", pattern.angle},
                         {"diagonals", pattern.diagonals}});
-    session.print(fmt::format("{:<16}{}{}\n", pattern.name, pattern.description, size));
+    session.print(fmt::format("{:<18}{}{}\n", pattern.name, pattern.description, size));
   }
   session.report()["patterns"] = std::move(patterns);
   return kDone;
@@ -121,12 +122,15 @@ struct PatternFacts {
       ++assigned[edge.assignment];
       largest_goal = std::max(largest_goal, std::abs(edge.fold_angle));
     }
-    for (const VertexFacts& vertex : vertices) {
-      ++degrees_of[static_cast<int>(vertex.edges.size())];
-      if (worst_vertex >= 0 && vertex.residual <= worst_residual) continue;
-      worst_residual = vertex.residual;
-      worst_vertex = vertex.vertex;
+    for (const VertexFacts& vertex : vertices) ++degrees_of[static_cast<int>(vertex.edges.size())];
+    const std::vector<RealVertex> loops = real_vertices(sheet);
+    const Closure closed = closure(loops, goal(make_linkage(sheet)));
+    worst_residual = closed.worst;
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+      if (worst_loop < 0 || closed.residual[i] > closed.residual[worst_loop]) worst_loop = static_cast<int>(i);
+      if (loops[i].is_hole()) holes.push_back({loops[i], closed.residual[i]});
     }
+    if (worst_loop >= 0) worst_place = tell_loop(loops[worst_loop]);
     if (creases <= kMaxHingesForMotions) first_order_motions = num_first_order_motions(sheet);
   }
 
@@ -135,13 +139,24 @@ struct PatternFacts {
     return found == assigned.end() ? 0 : found->second;
   }
 
+  static std::string tell_loop(const RealVertex& loop) {
+    return fmt::format("{} {}", loop.is_hole() ? "around the hole at vertex" : "at vertex", loop.vertex);
+  }
+
+  struct Hole {
+    RealVertex loop;
+    double residual;
+  };
+
   std::vector<VertexFacts> vertices;
+  std::vector<Hole> holes;  // and slits, that creases lead to
   int creases;
   Eigen::AlignedBox2d box;
   std::map<Assignment, int> assigned;
   std::map<int, int> degrees_of;  // how many real vertices have this many creases
   double largest_goal = 0, worst_residual = 0;
-  int worst_vertex = -1;
+  int worst_loop = -1;
+  std::string worst_place;
   int first_order_motions = -1;  // -1: not counted
 };
 
@@ -193,6 +208,12 @@ void fill_report(nlohmann::json& report, const FoldFile& file, const PatternFact
       facts.first_order_motions < 0 ? nlohmann::json(nullptr) : nlohmann::json(facts.first_order_motions);
   nlohmann::json& vertices = report["real_vertices"] = nlohmann::json::array();
   for (const VertexFacts& vertex : facts.vertices) vertices.push_back(to_json(sheet, vertex));
+  nlohmann::json& holes = report["holes"] = nlohmann::json::array();
+  for (const auto& [loop, residual] : facts.holes)
+    holes.push_back({{"vertex", loop.vertex},
+                     {"at", {loop.place.x(), loop.place.y()}},
+                     {"creases", loop.hinges.size()},
+                     {"residual", residual}});
 }
 
 std::string degrees_text(const PatternFacts& facts) {
@@ -202,9 +223,20 @@ std::string degrees_text(const PatternFacts& facts) {
   return facts.vertices.empty() ? "0" : fmt::format("{}: {}", facts.vertices.size(), text);
 }
 
+std::string holes_text(const PatternFacts& facts) {
+  std::size_t least = std::numeric_limits<std::size_t>::max(), most = 0;
+  for (const auto& [loop, residual] : facts.holes) {
+    least = std::min(least, loop.hinges.size());
+    most = std::max(most, loop.hinges.size());
+  }
+  const std::string creases = least == most ? fmt::format("{}", most) : fmt::format("{} to {}", least, most);
+  return fmt::format("{}, holes and slits, with {} crease{} around each", facts.holes.size(), creases,
+                     most == 1 ? "" : "s");
+}
+
 std::string closing_text(const PatternFacts& facts) {
-  if (facts.worst_vertex < 0) return "nothing to close";
-  return fmt::format("closes to {:.2g} rad, worst at vertex {}", facts.worst_residual, facts.worst_vertex);
+  if (facts.worst_loop < 0) return "nothing to close";
+  return fmt::format("closes to {:.2g} rad, worst {}", facts.worst_residual, facts.worst_place);
 }
 
 std::string human(const FoldFile& file, const PatternFacts& facts) {
@@ -212,6 +244,7 @@ std::string human(const FoldFile& file, const PatternFacts& facts) {
   const auto line = [&](const char* what, const std::string& value) { out += fmt::format("{:<16}{}\n", what, value); };
   const Vec2 size = facts.box.sizes();
   line("real vertices", degrees_text(facts));
+  if (!facts.holes.empty()) line("loops", holes_text(facts));
   line("creases", fmt::format("{} mountain, {} valley, {} flat, {} unassigned", facts.count(Assignment::Mountain),
                               facts.count(Assignment::Valley), facts.count(Assignment::Flat),
                               facts.count(Assignment::Unassigned)));
@@ -267,6 +300,9 @@ int tell_facts(const InfoArgs& args, Session& session) {
     fill_report(session.report(), file, facts);
     session.print(human(file, facts));
     for (const VertexFacts& vertex : facts.vertices) session.detail(vertex_line(sheet, vertex));
+    for (const auto& [loop, residual] : facts.holes)
+      session.detail(fmt::format("hole at vertex {} at {:.6g} {:.6g}: {} creases around it, closes to {:.2g}",
+                                 loop.vertex, loop.place.x(), loop.place.y(), loop.hinges.size(), residual));
   }
   session.print(human(args.file, checks));
   session.print(fmt::format("{}: {}\n", args.file, verdict(checks)));

@@ -7,10 +7,12 @@
 
 #include "plico/base/error.h"
 #include "plico/io/pattern/fold.h"
+#include "plico/verify/deformation.h"
 #include "plico/verify/flat_layers.h"
 #include "plico/verify/net.h"
 #include "plico/verify/parts.h"
 #include "plico/verify/path.h"
+#include "plico/workflow/end_layers.h"
 #include "plico/workflow/jobs/face_orders.h"
 #include "plico/workflow/jobs/jobs.h"
 #include "plico/workflow/jobs/motion_report.h"
@@ -218,6 +220,19 @@ bool layers_hold(const FoldFile& file, Session& session) {
   return holds;
 }
 
+// The same of the order of layers in the last frame of a motion.
+bool end_layers_hold(const FoldFile& file, const Linkage& linkage, Session& session) {
+  if (file.end_orders.empty()) return true;
+  const CreasePattern end = end_of_motion(file.net.sheet, linkage, file.path->waypoints.back().config);
+  const FlatLayersVerdict verdict = check_flat_layers(end, file.end_orders);
+  session.report()["end_layers"] = {{"pairs", file.end_orders.size()}, {"valid", verdict.valid}, {"why", verdict.why}};
+  session.print(verdict.valid
+                    ? fmt::format("layers     {} in order at the end, looked at in {} places\n",
+                                  count(static_cast<long>(file.end_orders.size()), "pair"), verdict.places)
+                    : fmt::format("layers     {}: panels {}\n", verdict.why, fmt::join(verdict.panels, ", ")));
+  return verdict.valid;
+}
+
 int verify_sheet_file(const FoldFile& file, Session& session) {
   const Run run = session.run();
   const CreasePattern& sheet = file.net.sheet;
@@ -249,7 +264,13 @@ int verify_motion_file(const FoldFile& file, const std::optional<Mesh>& mesh, co
   const Linkage linkage = make_linkage(file.net.sheet, file.net.mate);
   if (mesh && (file.net.mesh_face.empty() || file.net.mesh_vertex.empty())) refuse_mesh(args);
   const FileVerdict claims = judge_motion(file, linkage, mesh, run);
-  const PathProof proof = prove_path(linkage, *file.path, {.clearance = args.clearance}, run);
+  PathProofOptions options{.clearance = args.clearance};
+  if (claims.may_deform > 0) {
+    const double exact = args.clearance > 0 ? args.clearance : default_clearance(linkage);
+    options.clearance = deformed_clearance(exact, claims.may_deform);
+    options.closing = kOpenOnPurpose;
+  }
+  const PathProof proof = prove_path(linkage, *file.path, options, run);
   json& report = session.report();
   report["kind"] = "motion";
   report["panels"] = linkage.num_panels();
@@ -261,21 +282,32 @@ int verify_motion_file(const FoldFile& file, const std::optional<Mesh>& mesh, co
   report["defects"] = defects_json(claims.defects);
   report["unchecked"] = claims.unchecked;
   const bool finished = claims.complete && !proof.interrupted;
-  const bool valid = proof.verdict == PathVerdict::Free && claims.complete && claims.defects.empty();
-  report["valid"] = valid;
   session.print(fmt::format("motion     {}, {}, {}\n", count(linkage.num_panels(), "panel"),
                             count(linkage.num_hinges(), "fold"),
                             count(static_cast<long>(file.path->waypoints.size()), "waypoint")));
   session.print(fmt::format("proof      {}\n", motion_line(proof)));
   if (linkage.has_loops()) session.print(fmt::format("loops      {}\n", loops_line(proof.loops)));
+  if (claims.may_deform > 0) {
+    report["deformation"] = {{"allowed", claims.may_deform}, {"measured", claims.deformation}};
+    session.print(
+        fmt::format("deformed   edges change their length by up to {:.2g} %, {:.3g} % allowed by the file; "
+                    "panels are shrunk by {:.3g}\n",
+                    100 * claims.deformation, 100 * claims.may_deform, proof.clearance));
+  }
   if (claims.is_partial)
     session.print(
         fmt::format("goal       not reached: it ends at {:.4g} % of the way, as the file says\n", 100 * claims.share));
+  const bool valid = proof.verdict == PathVerdict::Free && claims.complete && claims.defects.empty() &&
+                     end_layers_hold(file, linkage, session);
+  report["valid"] = valid;
   session.print(lines_of(claims.defects));
   for (const std::string& what : claims.unchecked) session.print(fmt::format("unchecked  {}\n", what));
   if (args.noise > 0 && !run.over()) report_noise(file, linkage, args, session);
-  const char* const yes = claims.is_partial ? "yes, as far as it goes" : "yes";
-  session.print(fmt::format("verified   {}\n", !finished ? "not finished" : valid ? yes : "no"));
+  std::string yes = claims.is_partial ? "yes, as far as it goes" : "yes";
+  if (claims.may_deform > 0) yes += fmt::format(", deformed by up to {:.2g} %", 100 * claims.deformation);
+  session.print(fmt::format("verified   {}\n", !finished ? std::string("not finished")
+                                               : valid   ? yes
+                                                         : std::string("no")));
   if (!finished && run.over()) return Session::exit_code(run.ending());
   return valid ? kDone : kNo;
 }
