@@ -2,15 +2,12 @@
 
 #include <array>
 #include <limits>
-#include <optional>
 #include <set>
 #include <utility>
 
 #include "plico/base/rng.h"
 #include "plico/geom/predicates.h"
 #include "plico/origami/closure.h"
-#include "plico/origami/drawing_symmetry.h"
-#include "plico/origami/settle.h"
 
 namespace plico {
 namespace {
@@ -19,31 +16,10 @@ constexpr double kSliver = 0.02;      // height over longest side: thinner facet
 constexpr double kNoTriangle = 1e-6;  // the same: such a facet has no plane
 constexpr double kLocked = 10;        // times the longest side: a cut that leaves a vertex locked
 constexpr double kLeastDrawn = 0.1, kMostDrawn = 4.1;  // times the length of a diagonal
-constexpr double kAlikeWithin = 1e-3;  // of the shortest edge: places that are symmetric but for rounding
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 // What each diagonal costs, by its corners i < j.
 using CutCosts = std::vector<std::vector<double>>;
-
-// A random number for each diagonal of a sheet, the same for those that its symmetries take to each other.
-class AlikeFactors {
- public:
-  AlikeFactors(const CreasePattern& sheet, const Rng& rng)
-      : group_(drawing_symmetries(sheet, kAlikeWithin * shortest_edge(sheet))), size_(sheet.vertices.size()), rng_(rng) {}
-
-  double operator()(int v, int w) const {
-    std::pair<int, int> first = std::minmax(v, w);
-    for (const DrawingSymmetry& symmetry : group_)
-      first = std::min(first, std::pair<int, int>(std::minmax(symmetry.vertex[v], symmetry.vertex[w])));
-    Rng own = rng_.stream(static_cast<std::uint64_t>(first.first) * size_ + first.second);
-    return own.uniform(kLeastDrawn, kMostDrawn);
-  }
-
- private:
-  std::vector<DrawingSymmetry> group_;
-  std::uint64_t size_;
-  Rng rng_;
-};
 
 CutCosts cut_costs(const std::vector<Vec2>& corners, CutChoice choice, Rng rng) {
   const int size = static_cast<int>(corners.size());
@@ -154,8 +130,6 @@ Facets cut_into_facets(const CreasePattern& sheet, CutChoice choice, std::uint64
   result.first_cut = sheet.num_edges();
   const std::vector<char> locked = locked_vertices(sheet);
   const Rng rng(seed);
-  std::optional<AlikeFactors> alike;
-  if (choice == CutChoice::Alike) alike.emplace(sheet, rng);
   for (int f = 0; f < sheet.num_faces(); ++f) {
     const std::vector<int>& face = sheet.faces[f];
     std::vector<std::array<int, 3>> triangles;
@@ -163,10 +137,7 @@ Facets cut_into_facets(const CreasePattern& sheet, CutChoice choice, std::uint64
       std::vector<char> needs_cut;
       for (int v : face) needs_cut.push_back(locked[v]);
       const std::vector<Vec2> corners = polygon(sheet, f);
-      CutCosts costs = cut_costs(corners, choice, rng.stream(f));
-      for (std::size_t i = 0; alike && i < face.size(); ++i)
-        for (std::size_t j = i + 1; j < face.size(); ++j) costs[i][j] *= (*alike)(face[i], face[j]);
-      triangles = Triangulation(corners, std::move(costs), std::move(needs_cut)).triangles();
+      triangles = Triangulation(corners, cut_costs(corners, choice, rng.stream(f)), std::move(needs_cut)).triangles();
     }
     if (triangles.empty()) {
       result.sheet.faces.push_back(face);

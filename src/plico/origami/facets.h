@@ -17,13 +17,12 @@ struct Facets {
 enum class CutChoice {
   Short,  // of least length in all
   Long,   // of least sum of 1 / length
-  Drawn,  // of least length in all, each length times a random number in [0.1, 4.1)
-  Alike   // the same, one number for all diagonals that symmetries of the drawing take to each other
+  Drawn   // of least length in all, each length times a random number in [0.1, 4.1)
 };
 
 // Every panel cut into triangles by the diagonals of that choice, slivers avoided where they can be, and ears
 // whose tip is a vertex with up to three creases: nothing would turn there. No vertex is added. Panels that are not
-// simple polygons stay whole. `seed` is for Drawn and Alike. O(corners^3) a panel.
+// simple polygons stay whole. `seed` is for Drawn; panel by panel, of a stream of each. O(corners^3) a panel.
 Facets cut_into_facets(const CreasePattern& sheet, CutChoice choice = CutChoice::Short, std::uint64_t seed = 1);
 
 // The sheet with its flat creases (F or J, goal 0) held there: their limit is 0.

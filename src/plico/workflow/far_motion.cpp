@@ -249,8 +249,7 @@ FarMotion go_on_in_facets(const CreasePattern& sheet, const MotionOptions& optio
   const int tries = creases > kMostCutLong ? 0 : creases > kMostCutDrawn ? 1 : 1 + draws;
   FarMotion best = go_on_in(shortest, sheet, options, 0, tries > 0 ? share_of_time(run, kFirstCutTime) : run);
   for (int i = 0; i < tries && best.share < kFarEnough && !run.over(); ++i) {
-    const CutChoice choice = i == 0 ? CutChoice::Long : i % 2 == 1 ? CutChoice::Alike : CutChoice::Drawn;
-    const Facets other = cut_into_facets(sheet, choice, options.seed + i);
+    const Facets other = cut_into_facets(sheet, i == 0 ? CutChoice::Long : CutChoice::Drawn, options.seed + i);
     if (same_cuts(other, shortest)) continue;
     const double least = best.share + kWorthCutting;
     FarMotion found = go_on_in(other, sheet, options, least, share_of_time(run, 1.0 / (tries - i)));
