@@ -1,4 +1,5 @@
-// What nearly every test includes, compiled once for all of them: half of the time a test takes to compile goes into it.
+// What nearly every test includes, compiled once for all of them: half of the time a test takes to compile goes into
+// it.
 #pragma once
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
