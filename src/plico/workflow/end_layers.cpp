@@ -9,6 +9,7 @@
 
 #include "plico/fold/linkage.h"
 #include "plico/fold/real_vertices.h"
+#include "plico/geom/convex2.h"
 #include "plico/geom/polygon.h"
 #include "plico/verify/flat_layers.h"
 
@@ -30,28 +31,6 @@ std::vector<Triangle2> triangles_of(const CreasePattern& sheet, int face) {
   std::vector<Triangle2> triangles;
   for (const auto& t : triangulate(corners)) triangles.push_back({corners[t[0]], corners[t[1]], corners[t[2]]});
   return triangles;
-}
-
-double signed_area(const std::vector<Vec2>& corners) {
-  double area = 0;
-  for (std::size_t i = 0; i < corners.size(); ++i) area += cross(corners[i], corners[(i + 1) % corners.size()]) / 2;
-  return area;
-}
-
-// What a counter-clockwise triangle leaves of a convex polygon.
-std::vector<Vec2> clipped(std::vector<Vec2> corners, const Triangle2& by) {
-  for (int i = 0; i < 3 && !corners.empty(); ++i) {
-    const Vec2 &a = by[i], along = by[(i + 1) % 3] - a;
-    std::vector<Vec2> kept;
-    for (std::size_t k = 0; k < corners.size(); ++k) {
-      const Vec2 &p = corners[k], &q = corners[(k + 1) % corners.size()];
-      const double at_p = cross(along, Vec2(p - a)), at_q = cross(along, Vec2(q - a));
-      if (at_p >= 0) kept.push_back(p);
-      if ((at_p > 0 && at_q < 0) || (at_p < 0 && at_q > 0)) kept.push_back(p + at_p / (at_p - at_q) * (q - p));
-    }
-    corners = std::move(kept);
-  }
-  return corners;
 }
 
 class LayerReader {

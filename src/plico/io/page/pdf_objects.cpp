@@ -1,22 +1,13 @@
 #include "plico/io/page/pdf_objects.h"
 
 #include <fmt/format.h>
-#include <zlib.h>
 
-#include <new>
+#include "plico/io/text/deflate.h"
 
 namespace plico {
 namespace {
 
-std::string deflated(std::string_view bytes) {
-  uLongf size = compressBound(bytes.size());
-  std::string result(size, '\0');
-  const int status = compress2(reinterpret_cast<Bytef*>(result.data()), &size,
-                               reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), Z_BEST_COMPRESSION);
-  if (status != Z_OK) throw std::bad_alloc();  // the only failure left for a buffer of the right size
-  result.resize(size);
-  return result;
-}
+constexpr int kMostEffort = 9;
 
 // How many bytes the character takes that begins with this byte; 0 when none does.
 std::size_t utf8_length(unsigned char first) {
@@ -33,7 +24,7 @@ int PdfObjects::add(std::string body) {
 void PdfObjects::set(int number, std::string body) { bodies_[number - 1] = std::move(body); }
 
 int PdfObjects::add_stream(std::string_view entries, std::string_view content) {
-  const std::string packed = deflated(content);
+  const std::string packed = zlib_stream(content, kMostEffort);
   return add(
       fmt::format("<< {} /Filter /FlateDecode /Length {} >>\nstream\n{}\nendstream", entries, packed.size(), packed));
 }

@@ -3,6 +3,7 @@
 #include <zlib.h>
 
 #include "plico/base/error.h"
+#include "plico/io/text/deflate.h"
 
 namespace plico {
 namespace {
@@ -18,16 +19,6 @@ void append_chunk(std::string& png, const std::string& name, const std::string& 
   png += body;
   append_big_endian(png, static_cast<std::uint32_t>(
                              crc32(0, reinterpret_cast<const Bytef*>(body.data()), static_cast<uInt>(body.size()))));
-}
-
-std::string compressed(const std::string& bytes, int effort) {
-  uLongf size = compressBound(bytes.size());
-  std::string result(size, '\0');
-  const int status = compress2(reinterpret_cast<Bytef*>(result.data()), &size,
-                               reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), effort);
-  PLICO_ASSERT(status == Z_OK);
-  result.resize(size);
-  return result;
 }
 
 // Every row as differences to the row above (filter 2): smooth pictures compress to a fraction.
@@ -52,7 +43,7 @@ std::string write_png(const Picture& picture, int effort) {
   append_big_endian(header, static_cast<std::uint32_t>(picture.height));
   header += std::string("\x08\x06\x00\x00\x00", 5);  // 8 bits, RGBA, standard compression and filters, not interlaced
   append_chunk(png, "IHDR", header);
-  append_chunk(png, "IDAT", compressed(filtered_rows(picture), effort));
+  append_chunk(png, "IDAT", zlib_stream(filtered_rows(picture), effort));
   append_chunk(png, "IEND", "");
   return png;
 }

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "plico/base/error.h"
+#include "plico/io/text/deflate.h"
 
 namespace plico {
 namespace {
@@ -25,14 +26,10 @@ std::uint32_t narrow(std::size_t size) {
   return static_cast<std::uint32_t>(size);
 }
 
-// What zlib makes, without its own two bytes before and the checksum behind.
+// A stream without its two bytes before and the checksum behind.
 std::string deflated(const std::string& bytes) {
-  uLongf size = compressBound(bytes.size());
-  std::string result(size, '\0');
-  const int status = compress2(reinterpret_cast<Bytef*>(result.data()), &size,
-                               reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), Z_DEFAULT_COMPRESSION);
-  PLICO_ASSERT(status == Z_OK);
-  return result.substr(2, size - 6);
+  const std::string stream = zlib_stream(bytes);
+  return stream.substr(2, stream.size() - 6);
 }
 
 // What stands both before each file and in the directory at the end.
