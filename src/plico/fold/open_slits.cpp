@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "plico/base/disjoint_sets.h"
 #include "plico/mesh/face_sides.h"
 
 namespace plico {

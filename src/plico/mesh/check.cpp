@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 
+#include "plico/base/disjoint_sets.h"
 #include "plico/base/error.h"
 #include "plico/geom/predicates.h"
 #include "plico/mesh/face_sides.h"

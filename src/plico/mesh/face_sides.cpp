@@ -1,7 +1,6 @@
 #include "plico/mesh/face_sides.h"
 
 #include <algorithm>
-#include <numeric>
 #include <tuple>
 
 namespace plico {
@@ -20,18 +19,6 @@ FaceSides::FaceSides(const PolygonSoup& soup, const std::vector<char>& include) 
   std::sort(sides_.begin(), sides_.end(), [](const FaceSide& s, const FaceSide& t) {
     return std::tie(s.low, s.high, s.corner) < std::tie(t.low, t.high, t.corner);
   });
-}
-
-DisjointSets::DisjointSets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-
-int DisjointSets::find(int i) {
-  while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-  return i;
-}
-
-void DisjointSets::join(int i, int j) {
-  const int a = find(i), b = find(j);
-  parent_[std::max(a, b)] = std::min(a, b);
 }
 
 }  // namespace plico

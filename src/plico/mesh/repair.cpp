@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "plico/base/disjoint_sets.h"
 #include "plico/mesh/check.h"
 #include "plico/mesh/face_sides.h"
 #include "plico/mesh/triangulate.h"

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cadical.hpp>
 #include <cmath>
 #include <optional>
 
 #include "plico/base/error.h"
+#include "plico/base/sat.h"
 #include "plico/origami/pattern_check.h"
 
 namespace plico {
@@ -61,22 +61,12 @@ void begin_at(std::vector<T>& around, int first) {
   std::rotate(around.begin(), around.begin() + first, around.end());
 }
 
-class RunEnds : public CaDiCaL::Terminator {
- public:
-  explicit RunEnds(const Run& run) : run_(run) {}
-  bool terminate() override { return run_.over(); }
-
- private:
-  const Run& run_;
-};
-
 // Variable e + 1: edge e is a valley. Of every vertex a variable that switches its clauses on.
 class AssignmentFormula {
  public:
   AssignmentFormula(const CreasePattern& sheet, const AssignOptions& options) : sheet_(sheet), options_(options) {
-    solver_.set("quiet", 1);  // it prints otherwise
     for (int e = 0; e < sheet.num_edges(); ++e)
-      if (has_letter(sheet.edges[e])) add({sheet.edges[e].assignment == Assignment::Valley ? e + 1 : -(e + 1)});
+      if (has_letter(sheet.edges[e])) solver_.add({sheet.edges[e].assignment == Assignment::Valley ? e + 1 : -(e + 1)});
   }
 
   // False when the vertex by itself cannot fold flat with the letters that are there.
@@ -93,36 +83,31 @@ class AssignmentFormula {
       }
       std::vector<int> clause{-on};
       for (int i = 0; i < degree; ++i) clause.push_back(-signs[i] * (vertex.edges[i] + 1));
-      add(clause);
+      solver_.add(clause);
     }
     vertices_.push_back(vertex.vertex);
     return possible;
   }
 
-  // 10: there is an assignment, 20: there is none, else the run is over.
-  int solve(const Run& run) {
-    RunEnds ends(run);
-    solver_.connect_terminator(&ends);
+  SatAnswer solve(const Run& run) {
     for (std::size_t i = 0; i < vertices_.size(); ++i) solver_.assume(sheet_.num_edges() + 1 + static_cast<int>(i));
-    const int status = solver_.solve();
-    solver_.disconnect_terminator();
-    return status;
+    return solver_.solve(run);
   }
 
   // Not this answer again, as far as the creases say that are `free`.
   void forbid(const std::vector<int>& free) {
     std::vector<int> clause;
     for (int e : free) clause.push_back(is_valley(e) ? -(e + 1) : e + 1);
-    add(clause);
+    solver_.add(clause);
   }
 
-  bool is_valley(int edge) { return solver_.val(edge + 1) > 0; }
+  bool is_valley(int edge) { return solver_.holds(edge + 1); }
 
   // The vertices without whose conditions there may be an assignment.
   std::vector<int> clashing() {
     std::vector<int> result;
     for (std::size_t i = 0; i < vertices_.size(); ++i)
-      if (solver_.failed(sheet_.num_edges() + 1 + static_cast<int>(i))) result.push_back(vertices_[i]);
+      if (solver_.is_at_fault(sheet_.num_edges() + 1 + static_cast<int>(i))) result.push_back(vertices_[i]);
     return result;
   }
 
@@ -135,14 +120,9 @@ class AssignmentFormula {
     return true;
   }
 
-  void add(const std::vector<int>& clause) {
-    for (int literal : clause) solver_.add(literal);
-    solver_.add(0);
-  }
-
   const CreasePattern& sheet_;
   const AssignOptions& options_;
-  CaDiCaL::Solver solver_;
+  SatSolver solver_;
   std::vector<int> vertices_;
 };
 
@@ -207,10 +187,10 @@ AssignResult first_that_suits(const CreasePattern& sheet, const AssignOptions& o
   const std::vector<int> free = creases_without_letter(sheet);
   std::optional<AssignResult> first;
   for (int refused = 0; refused <= options.max_refused; ++refused) {
-    const int status = formula.solve(run);
-    if (status != 10) {
+    const SatAnswer answer = formula.solve(run);
+    if (answer != SatAnswer::Satisfiable) {
       if (first) break;
-      if (status != 20) return none(sheet, {}, {}, run.ending());
+      if (answer == SatAnswer::RunOver) return none(sheet, {}, {}, run.ending());
       const std::vector<int> vertices = formula.clashing();
       return none(sheet, vertices, why_not_together(sheet, vertices), Ending::Exhausted);
     }

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 
+#include "plico/base/disjoint_sets.h"
 #include "plico/base/error.h"
 #include "plico/base/libm.h"
 #include "plico/origami/closure.h"
@@ -75,19 +75,6 @@ std::vector<View> least_views(const std::vector<Spoke>& spokes) {
   return least;
 }
 
-class UnionFind {
- public:
-  explicit UnionFind(int n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int find(int i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(int a, int b) { parent_[find(a)] = find(b); }
-
- private:
-  std::vector<int> parent_;
-};
-
 std::string key_of(const std::vector<long>& signature, std::size_t place) {
   return fmt::format("{}@{}", fmt::join(signature, ","), place);
 }
@@ -96,7 +83,7 @@ std::string key_of(const std::vector<long>& signature, std::size_t place) {
 
 CreaseGroups crease_groups(const Linkage& linkage) {
   CreaseGroups result;
-  UnionFind same(linkage.num_hinges());
+  DisjointSets same(static_cast<std::size_t>(linkage.num_hinges()));
   std::map<std::vector<long>, int> types;
   std::map<std::string, int> holder;  // of each place: a crease that has it
   std::vector<std::set<std::string>> keys(linkage.num_hinges());

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cadical.hpp>
 #include <cmath>
 #include <map>
 
+#include "plico/base/sat.h"
 #include "plico/geom/convex2.h"
 #include "plico/geom/polygon.h"
 #include "plico/motion/plates.h"
@@ -16,15 +16,6 @@ namespace {
 
 constexpr double kDrawnOff = 1e-4;  // of the mean side: what shorter overlaps, and lines apart by less, are taken for
 constexpr double kFlatGoal = 1e-6;  // radians
-
-class LayerRunEnds : public CaDiCaL::Terminator {
- public:
-  explicit LayerRunEnds(const Run& run) : run_(run) {}
-  bool terminate() override { return run_.over(); }
-
- private:
-  const Run& run_;
-};
 
 // The sheet as it lies folded, in the plane.
 class FoldedFlat {
@@ -123,7 +114,6 @@ class FoldedFlat {
 class LayerFormula {
  public:
   explicit LayerFormula(const FoldedFlat& flat) : flat_(flat), panels_(flat.linkage().num_panels()) {
-    solver_.set("quiet", 1);  // it prints otherwise
     for (int f = 0; f < panels_; ++f)
       for (int g = f + 1; g < panels_; ++g)
         if (flat.overlap(f, g)) variable_[{f, g}] = static_cast<int>(variable_.size()) + 1;
@@ -137,18 +127,12 @@ class LayerFormula {
     stack();
   }
 
-  int solve(const Run& run) {
-    LayerRunEnds ends(run);
-    solver_.connect_terminator(&ends);
-    const int status = solver_.solve();
-    solver_.disconnect_terminator();
-    return status;
-  }
+  SatAnswer solve(const Run& run) { return solver_.solve(run); }
 
   std::vector<FaceOrder> orders() {
     std::vector<FaceOrder> orders;
     for (const auto& [pair, variable] : variable_) {
-      const bool is_above = solver_.val(variable) > 0;
+      const bool is_above = solver_.holds(variable);
       orders.push_back({pair.first, pair.second, is_above != flat_.is_turned(pair.second) ? 1 : -1});
     }
     return orders;
@@ -163,22 +147,17 @@ class LayerFormula {
     return found == variable_.end() ? 0 : f < g ? found->second : -found->second;
   }
 
-  void add(std::initializer_list<int> clause) {
-    for (int literal : clause) solver_.add(literal);
-    solver_.add(0);
-  }
-
   void equal(int p, int q) {
     if (p == 0 || q == 0) return;
-    add({p, -q});
-    add({-p, q});
+    solver_.add({p, -q});
+    solver_.add({-p, q});
   }
 
   void turn_to_its_side(int h) {
     const Hinge& hinge = flat_.linkage().hinges[h];
     const int right_above = above(hinge.right, hinge.left);
     if (!is_folded(h) || right_above == 0) return;
-    add({(hinge.target > 0) != flat_.is_turned(hinge.left) ? right_above : -right_above});
+    solver_.add({(hinge.target > 0) != flat_.is_turned(hinge.left) ? right_above : -right_above});
   }
 
   void keep_out(int h, int panel) {
@@ -215,7 +194,7 @@ class LayerFormula {
     for (unsigned odd = 0; odd < 16; ++odd) {
       const auto bit = [&](int i) { return (odd >> i & 1U) != 0; };
       if ((bit(0) != bit(1)) != (bit(2) != bit(3)))
-        add({bit(0) ? -p[0] : p[0], bit(1) ? -p[1] : p[1], bit(2) ? -p[2] : p[2], bit(3) ? -p[3] : p[3]});
+        solver_.add({bit(0) ? -p[0] : p[0], bit(1) ? -p[1] : p[1], bit(2) ? -p[2] : p[2], bit(3) ? -p[3] : p[3]});
     }
   }
 
@@ -227,8 +206,8 @@ class LayerFormula {
         for (int h = g + 1; h < panels_ && fg != 0; ++h) {
           const int gh = above(g, h), hf = above(h, f);
           if (gh == 0 || hf == 0 || !flat_.overlap(f, g, h)) continue;
-          add({-fg, -gh, -hf});
-          add({fg, gh, hf});
+          solver_.add({-fg, -gh, -hf});
+          solver_.add({fg, gh, hf});
         }
       }
   }
@@ -236,7 +215,7 @@ class LayerFormula {
   const FoldedFlat& flat_;
   int panels_;
   std::map<std::pair<int, int>, int> variable_;
-  CaDiCaL::Solver solver_;
+  SatSolver solver_;
 };
 
 }  // namespace
@@ -257,10 +236,15 @@ LayerOrder order_layers(const CreasePattern& sheet, const Run& run) {
   }
   const FoldedFlat folded(linkage);
   LayerFormula formula(folded);
-  const int status = formula.solve(run);
-  result.ending = status == 10 ? Ending::Found : status == 20 ? Ending::Exhausted : run.ending();
-  if (status == 10) result.orders = formula.orders();
-  if (status == 20) result.why = "no order of the layers keeps paper from passing through paper";
+  const SatAnswer answer = formula.solve(run);
+  result.ending = run.ending();
+  if (answer == SatAnswer::Satisfiable) {
+    result.ending = Ending::Found;
+    result.orders = formula.orders();
+  } else if (answer == SatAnswer::Unsatisfiable) {
+    result.ending = Ending::Exhausted;
+    result.why = "no order of the layers keeps paper from passing through paper";
+  }
   return result;
 }
 

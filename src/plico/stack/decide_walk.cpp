@@ -2,27 +2,17 @@
 
 #include <algorithm>
 #include <array>
-#include <cadical.hpp>
 
 #include "plico/base/error.h"
+#include "plico/base/sat.h"
 
 namespace plico {
 namespace {
-
-class RunTerminator : public CaDiCaL::Terminator {
- public:
-  explicit RunTerminator(const Run& run) : run_(run) {}
-  bool terminate() override { return run_.over(); }
-
- private:
-  const Run& run_;
-};
 
 // One variable a pair of neighbours: the walk goes from one to the other.
 class WalkFormula {
  public:
   explicit WalkFormula(const SquareGraph& graph) : graph_(graph), link_(graph.size()) {
-    solver_.set("quiet", 1);  // it prints otherwise
     for (int s = 0; s < graph.size(); ++s)
       for (int side = 0; side < 4; ++side) {
         const int other = graph.neighbours[s][side];
@@ -30,7 +20,7 @@ class WalkFormula {
       }
   }
 
-  CaDiCaL::Solver& solver() { return solver_; }
+  SatAnswer solve(const Run& run) { return solver_.solve(run); }
 
   void ask_for(Walk walk) {
     std::vector<int> ends;  // one variable a square: the path may end there
@@ -43,10 +33,10 @@ class WalkFormula {
         for (int side = 0; side < 4; ++side)
           if (side != out) some.push_back(link_[s][side]), not_all.push_back(-link_[s][side]);
         if (end != 0) some.push_back(end);
-        add(some);
-        add(not_all);
+        solver_.add(some);
+        solver_.add(not_all);
       }
-      add({link_[s].begin(), link_[s].end()});
+      solver_.add({link_[s].begin(), link_[s].end()});
     }
     at_most_two(ends);
   }
@@ -70,33 +60,28 @@ class WalkFormula {
     for (int s : squares)
       for (int side = 0; side < 4; ++side)
         if (!inside[graph_.neighbours[s][side]]) out.push_back(link_[s][side]);
-    add(out);
+    solver_.add(out);
   }
 
  private:
-  void add(const std::vector<int>& clause) {
-    for (int literal : clause) solver_.add(literal);
-    solver_.add(0);
-  }
-
   // Counts along the row: one[i] and two[i] hold when at least one, two of the first i + 1 do.
   void at_most_two(const std::vector<int>& literals) {
     int one = 0, two = 0;
     for (int literal : literals) {
       const int next_one = ++variables_, next_two = ++variables_;
-      add({-literal, next_one});
+      solver_.add({-literal, next_one});
       if (one != 0) {
-        add({-one, next_one});
-        add({-one, -literal, next_two});
-        add({-two, next_two});
-        add({-two, -literal});
+        solver_.add({-one, next_one});
+        solver_.add({-one, -literal, next_two});
+        solver_.add({-two, next_two});
+        solver_.add({-two, -literal});
       }
       one = next_one;
       two = next_two;
     }
   }
 
-  bool linked(int square, int side) { return solver_.val(link_[square][side]) > 0; }
+  bool linked(int square, int side) { return solver_.holds(link_[square][side]); }
   int links_at(int square) {
     int count = 0;
     for (int side = 0; side < 4; ++side) count += linked(square, side);
@@ -118,7 +103,7 @@ class WalkFormula {
   const SquareGraph& graph_;
   std::vector<std::array<int, 4>> link_;
   std::vector<char> seen_;
-  CaDiCaL::Solver solver_;
+  SatSolver solver_;
   int variables_ = 0;
 };
 
@@ -128,15 +113,12 @@ WalkDecision decide_walk(const SquareGraph& graph, Walk walk, const Run& run) {
   check(graph);
   if (graph.size() == 0) throw InvalidInput("stack/empty", "there is no square");
   WalkFormula formula(graph);
-  RunTerminator terminator(run);
-  formula.solver().connect_terminator(&terminator);
   formula.ask_for(walk);
   WalkDecision decision;
   for (;;) {
-    constexpr int kSatisfiable = 10, kUnsatisfiable = 20;
-    const int status = run.over() ? 0 : formula.solver().solve();
-    if (status == kUnsatisfiable) break;
-    if (status != kSatisfiable) {
+    const SatAnswer answer = formula.solve(run);
+    if (answer == SatAnswer::Unsatisfiable) break;
+    if (answer == SatAnswer::RunOver) {
       decision.ending = run.ending();
       break;
     }
@@ -149,7 +131,6 @@ WalkDecision decide_walk(const SquareGraph& graph, Walk walk, const Run& run) {
     for (const std::vector<int>& part : walks) formula.cut(part);
     decision.cuts += static_cast<int>(walks.size());
   }
-  formula.solver().disconnect_terminator();
   return decision;
 }
 
