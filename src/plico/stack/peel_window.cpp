@@ -93,6 +93,7 @@ void PeelWindow::place(const OpenAngles& angles, Placed& at) const {
     pose[i + 1] = pose[i] * turn(hinge, angles[i], right_moves);
   }
   at.box.clear();
+  at.box.reserve(movers_.size());
   for (const Body& mover : movers_) at.box.push_back(placed(mover.local, pose[mover.depth]));
 }
 
@@ -140,9 +141,10 @@ double PeelWindow::Motion::against(const Vec3& direction) const {
   return *std::ranges::min_element(height) - always;
 }
 
-bool PeelWindow::stays_clear(const OrientedBox& mover, const OrientedBox& other, const Motion& motion) const {
+bool PeelWindow::stays_clear(const OrientedBox& mover, const OrientedBox& other, double apart,
+                             const Motion& motion) const {
   const double least = bodies_.least_gap();
-  if (gap(mover, other) > motion.total + least) return true;
+  if (apart > motion.total + least) return true;
   return is_any_direction(mover, other, [&](const Vec3& d) {
     const double bound = highest(other, d) + least;
     return -highest(mover, -d) > bound && motion.against(d) > bound;  // most are told by where the mover is now
@@ -164,11 +166,14 @@ bool PeelWindow::is_hit(const Placed& at) const {
 
 bool PeelWindow::is_clear(const Interval& interval) const {
   const std::vector<OrientedBox>& box = interval.at.box;
+  const auto clear = [&](const OrientedBox& mover, const OrientedBox& other, const Motion& moved) {
+    return stays_clear(mover, other, gap(mover, other), moved);
+  };
   for (const auto& [deep, other] : inner_)
-    if (!stays_clear(box[deep], box[other], motion(deep, movers_[other].depth, interval))) return false;
+    if (!clear(box[deep], box[other], motion(deep, movers_[other].depth, interval))) return false;
   for (int m = 0; m < static_cast<int>(movers_.size()); ++m) {
     const Motion moved = motion(m, 0, interval);
-    const auto may_meet = [&](int panel) { return !stays_clear(box[m], bodies_.standing(panel), moved); };
+    const auto may_meet = [&](int panel) { return !clear(box[m], bodies_.standing(panel), moved); };
     if (bodies_.standing_trees().any_near(box[m], moved.total + bodies_.least_gap(), last_standing(m), may_meet))
       return false;
   }
@@ -227,12 +232,16 @@ bool PeelWindow::halve_near(const OpenAngles& from, const OpenAngles& to, const 
   if (++intervals > most || depth > kMostHalvings) return false;
   const Interval whole = interval(from, to);
   std::vector<Pair> left;
+  Motion moved;
+  int of = -1, seen_by = -1;  // whose motion that is
   for (const Pair& pair : pairs) {
     const OrientedBox& mover = whole.at.box[pair.mover];
     const OrientedBox& other = pair.stands ? bodies_.standing(pair.other) : whole.at.box[pair.other];
-    if (gap(mover, other) <= bodies_.least_gap()) return false;
+    const double apart = gap(mover, other);
+    if (apart <= bodies_.least_gap()) return false;
     const int below = pair.stands ? 0 : movers_[pair.other].depth;
-    if (!stays_clear(mover, other, motion(pair.mover, below, whole))) left.push_back(pair);
+    if (pair.mover != of || below != seen_by) moved = motion(of = pair.mover, seen_by = below, whole);
+    if (!stays_clear(mover, other, apart, moved)) left.push_back(pair);
   }
   if (left.empty()) return true;
   const OpenAngles half = middle(from, to);

@@ -67,7 +67,8 @@ class PeelWindow {
   void place(const OpenAngles& angles, Placed& placed) const;
   Interval interval(const OpenAngles& from, const OpenAngles& to) const;
   Motion motion(int mover, int below, const Interval& interval) const;
-  bool stays_clear(const OrientedBox& mover, const OrientedBox& other, const Motion& motion) const;
+  // `apart` is the gap of the two where they are.
+  bool stays_clear(const OrientedBox& mover, const OrientedBox& other, double apart, const Motion& motion) const;
   int last_standing(int mover) const;
   bool is_hit(const Placed& placed) const;
   bool is_clear(const Interval& interval) const;

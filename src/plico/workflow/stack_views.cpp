@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "plico/fold/plain_hinges.h"
+#include "plico/io/motion/gltf.h"
 #include "plico/io/motion/png.h"
 #include "plico/workflow/show_proof.h"
 
@@ -14,6 +16,10 @@ ViewerInput unpacking_page(const StackMotion& motion) {
   page.motion = "unpacking";
   show_proof(page, motion.verdict);
   return page;
+}
+
+std::string unpacking_animation(const StackMotion& motion) {
+  return write_glb(plain_hinged(chain_linkage_of(motion.chain.claim)), plain_path(motion.path));
 }
 
 std::string stack_picture(const ChainClaim& claim) {

@@ -10,6 +10,9 @@ namespace plico {
 // Shown at the stack first; title and report are the caller's.
 ViewerInput unpacking_page(const StackMotion& motion);
 
+// The motion as an animated GLB, each thick hinge as three joints with one axis.
+std::string unpacking_animation(const StackMotion& motion);
+
 // PNG of the panels as they lie in the stack.
 std::string stack_picture(const ChainClaim& claim);
 

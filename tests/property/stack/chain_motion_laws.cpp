@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 
+#include "brute_chain.h"
 #include "effort.h"
 #include "plico/base/rng.h"
 #include "plico/geom/oriented_box.h"
@@ -60,65 +62,109 @@ Sample random_stack(Rng& rng, int panels) {
   }
 }
 
-// The panels shrunk as the judge does.
-std::vector<OrientedBox> boxes(const Linkage& chain, const Configuration& config, double air) {
-  const std::vector<Pose> poses = folding_map(chain, config);
-  std::vector<OrientedBox> all;
-  for (int p = 0; p < chain.num_panels(); ++p) {
-    const std::vector<Vec3>& o = chain.panels[p];
-    const OrientedBox flat{(o[0] + o[2]) / 2,
-                           Eigen::Matrix3d::Identity(),
-                           {(o[1] - o[0]).norm() / 2, (o[1] - o[0]).norm() / 2, (0.5 - air) * chain.thickness}};
-    all.push_back(placed(flat, poses[p]));
+// A chain whose hinges turn evenly.
+struct ChainTurn {
+  Headings headings;
+  double thickness = 0.1;
+  std::vector<double> from, to;
+
+  ChainMotionVerdict judged() const {
+    const auto config = [](const std::vector<double>& angles) {
+      return Configuration(Eigen::Map<const Configuration>(angles.data(), static_cast<Eigen::Index>(angles.size())));
+    };
+    const Linkage chain = chain_linkage(headings, std::vector<double>(from.size(), 0), {1, thickness, thickness});
+    return judge_chain_motion(chain, FoldingPath{{{0, config(from)}, {1, config(to)}}});
   }
-  return all;
+  BruteChain brute() const { return {headings, thickness, ChainMotionOptions().air, from, to}; }
+};
+
+// Out of a stack of 3 to 12 panels, by one or two hinges.
+ChainTurn turn_of_stack(Rng& rng) {
+  const Sample sample = random_stack(rng, 3 + rng.below(10));
+  ChainTurn motion{sample.headings, 0.02 + 0.2 * rng.uniform(), fold_angles(sample.folds), {}};
+  motion.to = motion.from;
+  const int turned = 1 + rng.below(2);
+  for (int k = 0; k < turned; ++k)
+    motion.to[rng.below(static_cast<int>(motion.to.size()))] = kPi * (2 * rng.uniform() - 1);
+  return motion;
 }
 
-// The deepest overlap of two panels that are no mates, at so many moments; negative when all stay apart.
-double deepest(const Linkage& chain, const FoldingPath& path, double air, int moments) {
-  double worst = -1;
-  for (int i = 0; i <= moments; ++i) {
-    const std::vector<OrientedBox> at = boxes(chain, path.at(static_cast<double>(i) / moments), air);
-    for (std::size_t a = 0; a < at.size(); ++a)
-      for (std::size_t b = a + 2; b < at.size(); ++b) worst = std::max(worst, -gap(at[a], at[b]));
-  }
-  return worst;
+bool overlaps_at(BruteChain chain, double time, double grow) {
+  chain.place_at(time);
+  return chain.overlaps(grow);
 }
+
+bool overlaps_at_one_of(BruteChain chain, int moments, double grow) {
+  for (int i = 0; i <= moments; ++i) {
+    chain.place_at(static_cast<double>(i) / moments);
+    if (chain.overlaps(grow)) return true;
+  }
+  return false;
+}
+
+constexpr double kRounding = 1e-9;
+constexpr int kMoments = kSanitized ? 500 : 10000;
 
 TEST(ChainMotion, AgreesWithBruteForceOnRandomChains) {
   Rng rng(11);
   int free = 0, collides = 0;
   for (int i = 0; i < num_cases(300); ++i) {
-    const int panels = 3 + rng.below(10);
-    const Sample sample = random_stack(rng, panels);
-    const double thickness = 0.02 + 0.2 * rng.uniform();
-    const std::vector<double> shape(sample.headings.size(), 0.0);
-    const Linkage chain = chain_linkage(sample.headings, shape, {1, thickness, thickness});
-    FoldingPath path;
-    const std::vector<double> angles = fold_angles(sample.folds);
-    Configuration config = Eigen::Map<const Configuration>(angles.data(), static_cast<Eigen::Index>(angles.size()));
-    path.waypoints.push_back({0, config});
-    const int turned = 1 + rng.below(2);
-    for (int k = 0; k < turned; ++k) config[rng.below(static_cast<int>(angles.size()))] = kPi * (2 * rng.uniform() - 1);
-    path.waypoints.push_back({1, config});
-    const ChainMotionVerdict verdict = judge_chain_motion(chain, path);
-    const double depth = deepest(chain, path, ChainMotionOptions().air, kSanitized ? 500 : 10000);
+    SCOPED_TRACE(i);
+    const ChainTurn motion = turn_of_stack(rng);
+    const BruteChain brute = motion.brute();
+    const ChainMotionVerdict verdict = motion.judged();
     if (verdict.verdict == PathVerdict::Free) {
-      EXPECT_LT(depth, 0) << "case " << i;
+      EXPECT_FALSE(overlaps_at_one_of(brute, kMoments, -kRounding));
       ++free;
     } else if (verdict.verdict == PathVerdict::Collides) {
-      const std::vector<OrientedBox> at = boxes(chain, path.at(verdict.from), ChainMotionOptions().air);
-      double wide = 1;
-      for (std::size_t a = 0; a < at.size(); ++a)
-        for (std::size_t b = a + 2; b < at.size(); ++b) wide = std::min(wide, gap(at[a], at[b]));
-      EXPECT_LT(wide, 1e-9) << "case " << i;
+      EXPECT_TRUE(overlaps_at(brute, verdict.from, kRounding));
       ++collides;
-    } else {
-      EXPECT_GT(depth, -1e-6) << "case " << i;  // undecided only where panels all but touch
+    } else {  // only where panels all but touch
+      EXPECT_FALSE(overlaps_at_one_of(brute, kMoments, -1e-6));
     }
   }
   EXPECT_GT(free, num_cases(300) / 10);
   EXPECT_GT(collides, num_cases(300) / 10);
+}
+
+// From a random state to between two others, just so that panels brush each other on the way, for less time than there
+// is between 25 samples; empty when there is no such state.
+std::optional<ChainTurn> brushing(Rng& rng) {
+  constexpr int kFew = 24;
+  ChainTurn motion{Headings(4, Heading::East), 0.1, std::vector<double>(4), {}};
+  std::vector<double> free(4), other(4);
+  for (int h = 0; h < 4; ++h) {
+    if (h > 0) motion.headings[h] = turned(motion.headings[h - 1], rng.below(3) - 1);
+    for (std::vector<double>* angles : {&motion.from, &free, &other}) (*angles)[h] = kPi * (2 * rng.uniform() - 1);
+  }
+  const auto overlaps = [&](const std::vector<double>& to, int moments) {
+    motion.to = to;
+    return overlaps_at_one_of(motion.brute(), moments, -kRounding);
+  };
+  if (overlaps(free, kFew) || !overlaps(other, kFew)) return {};
+  for (int i = 0; i < 30; ++i) {
+    std::vector<double> middle(4);
+    for (int h = 0; h < 4; ++h) middle[h] = (free[h] + other[h]) / 2;
+    if (overlaps(middle, kFew))
+      other = middle;
+    else if (overlaps(middle, 500))
+      return motion;
+    else
+      free = middle;
+  }
+  return {};
+}
+
+TEST(ChainMotion, FindsACollisionBetweenSamples) {
+  Rng rng(5);
+  for (int planted = 0; planted < num_cases(20);) {
+    const std::optional<ChainTurn> motion = brushing(rng);
+    if (!motion) continue;
+    SCOPED_TRACE(++planted);
+    const ChainMotionVerdict verdict = motion->judged();
+    ASSERT_EQ(verdict.verdict, PathVerdict::Collides);
+    EXPECT_TRUE(overlaps_at(motion->brute(), verdict.from, kRounding));
+  }
 }
 
 }  // namespace

@@ -81,6 +81,7 @@ int stack_piece(const StackArgs& args, const VoxelMesh& voxels, const std::vecto
                 Session& session, const Run& run, json& report) {
   for (const std::string& note : voxels.notes) session.warn(note);
   StackMeshOptions options = stacking_of(args, session);
+  session.print(thickness_text(args, options));
   const int most_layers = args.box.empty() ? voxels.shell.size() : choose_base_in_box(args, voxels, options);
   const JudgedCycle cycle = judged_cycle(voxels, {.seed = session.seed()}, run);
   if (!cycle.verdict.valid()) return kInternal;
@@ -127,14 +128,15 @@ int stack_pieces(const StackArgs& args, const VoxelPieces& all, const std::vecto
   return worst;
 }
 
-bool is_page(const std::string& path) { return path.ends_with(".html"); }
+bool shows_motion(const std::string& path) { return path.ends_with(".html") || path.ends_with(".glb"); }
 
 int stack_file(StackArgs& args, Session& session) {
   const std::vector<std::string> outputs = session.outputs("");
   for (const std::string& path : outputs) check_stack_output(path);
-  if (args.motion.empty()) args.motion = std::ranges::any_of(outputs, is_page) ? "shape" : "none";
-  if (args.motion == "none" && std::ranges::any_of(outputs, is_page))
-    throw InvalidOption("a page shows a motion, and --motion none asks for none", "--motion shape");
+  const auto moving = std::ranges::find_if(outputs, shows_motion);
+  if (args.motion.empty()) args.motion = moving != outputs.end() ? "shape" : "none";
+  if (args.motion == "none" && moving != outputs.end())
+    throw InvalidOption(fmt::format("{} shows a motion, and --motion none asks for none", *moving), "--motion shape");
   if (args.all && std::ranges::count(outputs, "-") > 0)
     throw InvalidOption("--all may write several files, which standard output does not hold", "-o chain.fold");
   stacking_of(args, session);  // refuses what is wrong before anything is read

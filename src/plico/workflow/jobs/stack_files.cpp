@@ -69,15 +69,17 @@ void write_chain(const StackFiles& what, const std::string& path, Session& sessi
     page.report = session.provenance().dump();
     return session.write(path, viewer_page(page));
   }
+  if (path.ends_with(".glb")) return session.write(path, unpacking_animation(*what.motion));
   write_fold_files(what.motion ? chain_motion_file(*what.motion) : chain_file(chain.claim), {path}, session);
 }
 
 }  // namespace
 
 void check_stack_output(const std::string& path) {
-  for (const char* ending : {".fold", ".csv", ".stl", ".3mf", ".html", ".png", ".svg", ".dxf", ".pdf"})
+  for (const char* ending : {".fold", ".csv", ".stl", ".3mf", ".html", ".glb", ".png", ".svg", ".dxf", ".pdf"})
     if (path == "-" || path.ends_with(ending)) return;
-  throw InvalidOption(fmt::format("{} does not end in .fold, .csv, .stl, .3mf, .html, .png, .svg, .dxf or .pdf", path));
+  throw InvalidOption(
+      fmt::format("{} does not end in .fold, .csv, .stl, .3mf, .html, .glb, .png, .svg, .dxf or .pdf", path));
 }
 
 bool write_stack_files(const StackFiles& what, const std::vector<std::string>& paths, Session& session,

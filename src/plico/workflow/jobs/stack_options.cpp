@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <optional>
 
 #include "plico/base/error.h"
+#include "plico/base/units.h"
 #include "plico/fabricate/page.h"
 
 namespace plico::jobs {
@@ -21,6 +23,23 @@ void read_base(const std::string& text, StackMeshOptions& options) {
   const auto depth = crossed ? std::from_chars(width.ptr + 1, end, options.depth) : width;
   if (!crossed || depth.ec != std::errc{} || depth.ptr != end || options.width < 1 || options.depth < 1)
     throw InvalidOption(fmt::format("base = {} must be auto or WxD, as 6x6, each at least 1", text));
+}
+
+// Empty for text with a unit, or none at all.
+std::optional<double> plain_number(const std::string& text) {
+  double number = 0;
+  const char* end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, number);
+  return read.ec == std::errc{} && read.ptr == end ? std::optional(number) : std::nullopt;
+}
+
+// "0.08" is voxel sides already; "2mm" is of squares that measure `side_mm`.
+double in_sides(const std::string& flag, const std::string& text, double side_mm) {
+  const std::optional<double> plain = plain_number(text);
+  const double sides = plain ? *plain : parse_length_mm(text) / side_mm;
+  if (sides > 0 && sides < 0.5) return sides;
+  const std::string of = plain ? "" : fmt::format(" are {:.4g} sides of {:g} mm (--side) and", sides, side_mm);
+  throw InvalidOption(fmt::format("{}: {}{} must be in (0, 0.5)", flag, text, of));
 }
 
 // The three lengths of "6x6x4.5", in the mesh's unit, or of "60x60x45mm", where a millimetre is `millimetre` long.
@@ -51,10 +70,11 @@ std::string roomy_box(int panels, double thickness, double side) {
 }  // namespace
 
 Job& add_stack_options(Job& job, StackArgs& args) {
-  job.option("--thickness", "T", "of the panels, in voxel sides", args.thickness, {0, 0.5, false, false})
+  job.option("--thickness", "T", "of the panels, in voxel sides below 0.5, or as 2mm, where a square measures --side",
+             args.thickness)
       .option("--trim", "T",
-              "of every side of a panel, in voxel sides, from half the thickness to all of it (else all of it)",
-              args.trim, {0, 0.5, false, false})
+              "of every side of a panel, told as the thickness, from half of it to all of it (else all of it)",
+              args.trim)
       .flag("--all", "a chain of each piece of the voxels, in files numbered from the largest on, not only of that one",
             args.all)
       .choice(
@@ -74,13 +94,20 @@ Job& add_stack_options(Job& job, StackArgs& args) {
 }
 
 StackMeshOptions stacking_of(const StackArgs& args, const Session& session) {
-  StackMeshOptions options{
-      .seed = session.seed(), .thickness = args.thickness, .trim = std::isnan(args.trim) ? 0 : args.trim};
+  require(args.side_mm > 0, "side", args.side_mm, "above 0");
+  StackMeshOptions options{.seed = session.seed()};
+  options.thickness = in_sides("--thickness", args.thickness, args.side_mm);
+  if (!args.trim.empty()) options.trim = in_sides("--trim", args.trim, args.side_mm);
   read_base(args.base, options);
   check(options);
-  require(args.side_mm > 0, "side", args.side_mm, "above 0");
   paper_size(args.page);  // refuses a size that there is not
   return options;
+}
+
+std::string thickness_text(const StackArgs& args, const StackMeshOptions& options) {
+  if (plain_number(args.thickness)) return {};
+  return fmt::format("panels     {} thick, {:.4g} of the squares' sides of {:g} mm (--side)\n", args.thickness,
+                     options.thickness, args.side_mm);
 }
 
 int choose_base_in_box(const StackArgs& args, const VoxelMesh& voxels, StackMeshOptions& options) {
@@ -91,15 +118,15 @@ int choose_base_in_box(const StackArgs& args, const VoxelMesh& voxels, StackMesh
   const auto count = [&](double length, double unit) {
     return static_cast<int>(std::min<double>(std::floor(length / unit + 1e-9), panels));
   };
-  const StackBox room{count(box.x(), side), count(box.y(), side), count(box.z(), side * args.thickness)};
-  const std::optional<StackBox> base = best_base_in(room, panels, args.thickness);
+  const StackBox room{count(box.x(), side), count(box.y(), side), count(box.z(), side * options.thickness)};
+  const std::optional<StackBox> base = best_base_in(room, panels, options.thickness);
   if (!base)
     throw InvalidOption(
         fmt::format("box = {} has room for {} x {} panels in {} layers, not for the {} of the chain, which need a "
                     "volume of at least {:.4g}",
                     args.box, room.width, room.depth, room.height, panels,
-                    panels * args.thickness * side * side * side),
-        roomy_box(panels, args.thickness, side));
+                    panels * options.thickness * side * side * side),
+        roomy_box(panels, options.thickness, side));
   options.width = base->width;
   options.depth = base->depth;
   return room.height;
