@@ -1,7 +1,7 @@
 // Nets for hands: what craft printed before it improved nets, and what it prints now, for models 20 cm and 10 cm long.
 // Goals: hull left over 40 % less in the median, no branch of more than three panels on a fold under 5 mm, no needle by
 // its short side, under 10 s a model; as large as one page holds, 45 % of the paper used in the median.
-//   bench_paper [--meshes DIR] [--json FILE] [--quick]
+//   bench_paper [--meshes DIR] [--only page|20|10] [--json FILE] [--quick]
 #include <ctime>
 #include <thread>
 
@@ -9,6 +9,7 @@
 #include "plico/fabricate/hand_measures.h"
 #include "plico/io/mesh/mesh_file.h"
 #include "plico/io/text/file.h"
+#include "plico/mesh/flat_regions.h"
 #include "plico/mesh/measures.h"
 #include "plico/motion/planner.h"
 #include "plico/shapes/named_shapes.h"
@@ -31,7 +32,7 @@ std::vector<std::pair<std::string, Mesh>> shapes(const Arguments& args) {
     try {
       Mesh mesh = to_mesh(read_mesh_source(read_file(file), file));
       if (mesh.num_faces() < 100 || mesh.num_faces() > kMostFaces || components(mesh).count != 1) continue;
-      if (all.size() < kMostShapes) all.emplace_back(file.stem(), std::move(mesh));
+      if (all.size() < kMostShapes) all.emplace_back(file.stem(), with_flat_regions_whole(std::move(mesh)));
     } catch (const Error& error) {
       fmt::print("left out: {}: {}\n", file.stem().string(), error.what());
     }
@@ -41,8 +42,8 @@ std::vector<std::pair<std::string, Mesh>> shapes(const Arguments& args) {
 
 struct Crafted {
   CraftResult result;
-  HandMeasures hands;
-  double seconds = 0;  // of all processors: a busy machine does not change them
+  HandMeasures net, hands;  // of the net as it folds, and of the printed parts
+  double seconds = 0;       // of all processors: a busy machine does not change them
 };
 
 Crafted crafted(const Mesh& mesh, HandWish wish, double longest_mm, const Run& run) {
@@ -55,7 +56,8 @@ Crafted crafted(const Mesh& mesh, HandWish wish, double longest_mm, const Run& r
   const std::clock_t start = std::clock();
   made.result = craft(mesh, options, run);
   made.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-  made.hands = made.result.layout.report.hands;  // of the printed parts
+  made.hands = made.result.layout.report.hands;
+  made.net = measure_for_hands(made.result.net, made.result.layout.report.scale);
   return made;
 }
 
@@ -63,28 +65,48 @@ std::string both(double before, double after, const char* unit = "") {
   return fmt::format("{:.3g} > {:.3g}{}", before, after, unit);
 }
 
-// Before > after of everything that is measured; returns by how much the hull left over shrank.
-double row(Table& table, const std::string& name, const Mesh& mesh, double longest_mm, const Run& run) {
+double less_left_over(const HandMeasures& before, const HandMeasures& after) {
+  return before.left_over() > 1e-9 ? 1 - after.left_over() / before.left_over() : 0;
+}
+
+std::string covered(const HandMeasures& before, const HandMeasures& after) {
+  return both(100 * before.net_area / before.hull_area, 100 * after.net_area / after.hull_area, " %");
+}
+
+// Before > after of everything that is measured; returns by how much the hull left over shrank, of the net and of the
+// printed parts.
+std::pair<double, double> row(Table& table, const std::string& name, const Mesh& mesh, double longest_mm,
+                              const Run& run) {
   const Crafted was = crafted(mesh, HandWish::None, longest_mm, run);
   const Crafted is = crafted(mesh, HandWish::Hands, longest_mm, run);
   const HandMeasures &a = was.hands, &b = is.hands;
   const LayoutReport &before = was.result.layout.report, &after = is.result.layout.report;
-  const double less = a.left_over() > 1e-9 ? 1 - b.left_over() / a.left_over() : 0;
+  const double net_less = less_left_over(was.net, is.net), less = less_left_over(a, b);
   const auto ids_out = [](const LayoutReport& r) { return static_cast<double>(r.labels.omitted); };
-  table.row({fmt::format("{} {:g} cm", name, longest_mm / 10), mesh.num_faces(),
-             both(100 * a.net_area / a.hull_area, 100 * b.net_area / b.hull_area, " %"),
-             fmt::format("{:.0f} %", 100 * less), both(a.shortest_carrying, b.shortest_carrying), both(a.weak, b.weak),
-             b.least_weak, both(a.needles, b.needles), both(a.tight_seams, b.tight_seams),
+  table.row({fmt::format("{} {:g} cm", name, longest_mm / 10), mesh.num_faces(), covered(was.net, is.net),
+             fmt::format("{:.0f} %", 100 * net_less), covered(a, b), fmt::format("{:.0f} %", 100 * less),
+             both(a.shortest_carrying, b.shortest_carrying), both(a.weak, b.weak), b.least_weak, after.weak_folds_cut,
+             both(a.needles, b.needles), both(a.tight_seams, b.tight_seams),
              both(static_cast<double>(before.tabs.tabs.size()), static_cast<double>(after.tabs.tabs.size())),
              both(ids_out(before), ids_out(after)), both(before.parts, after.parts), both(before.pages, after.pages),
+             both(100 * before.fill_ratio, 100 * after.fill_ratio),
              is.result.proven() >= was.result.proven() ? "yes" : "NO", both(was.seconds, is.seconds)});
-  return less;
+  return {net_less, less};
 }
 
 void bench_size(const Arguments& args, Table& table, double longest_mm, const Run& run) {
-  std::vector<double> less;
-  for (const auto& [name, mesh] : shapes(args)) less.push_back(row(table, name, mesh, longest_mm, run));
-  fmt::print("{:g} cm: hull left over {:.0f} % less in the median\n", longest_mm / 10, 100 * median(less));
+  std::vector<double> net_less, less;
+  for (const auto& [name, mesh] : shapes(args)) {
+    try {
+      const auto [of_net, of_parts] = row(table, name, mesh, longest_mm, run);
+      net_less.push_back(of_net);
+      less.push_back(of_parts);
+    } catch (const InvalidInput& error) {
+      fmt::print("left out: {} at {:g} cm: {}\n", name, longest_mm / 10, error.what());
+    }
+  }
+  fmt::print("{:g} cm: hull left over by the nets {:.0f} % less in the median, by the printed parts {:.0f} %\n",
+             longest_mm / 10, 100 * median(net_less), 100 * median(less));
 }
 
 void bench_page(const Arguments& args, Table& table, const Run& run) {
@@ -98,14 +120,16 @@ void bench_page(const Arguments& args, Table& table, const Run& run) {
   fmt::print("paper used in the median: {:.0f} % > {:.0f} %\n", median(was), median(is));
 }
 
-int bench(const Arguments& args) {
+int bench(const Arguments& args, const std::string& only) {
   silence_planners();
   const Run run{.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()))};
   Table page("as large as one page holds, before and after", {"mesh", "faces", "paper %", "now %", "weak", "now", "s"});
-  bench_page(args, page, run);
-  Table sized("before > after", {"mesh", "faces", "area over hull", "left less", "carrying mm", "weak", "at least",
-                                 "cuts", "needles", "tight", "tabs", "ids out", "parts", "pages", "proof kept", "s"});
-  for (double longest_mm : {200.0, 100.0}) bench_size(args, sized, longest_mm, run);
+  if (only.empty() || only == "page") bench_page(args, page, run);
+  Table sized("before > after", {"mesh", "faces", "net over hull", "left less", "parts over hull", "less",
+                                 "carrying mm", "weak", "at least", "cuts", "needles", "tight", "tabs", "ids out",
+                                 "parts", "pages", "paper %", "proof kept", "s"});
+  for (double longest_mm : {200.0, 100.0})
+    if (only.empty() || only == fmt::format("{:g}", longest_mm / 10)) bench_size(args, sized, longest_mm, run);
   write_json(args, {&page, &sized});
   return 0;
 }
@@ -113,4 +137,8 @@ int bench(const Arguments& args) {
 }  // namespace
 }  // namespace plico::bench
 
-int main(int argc, char** argv) { return plico::bench::bench(plico::bench::arguments(argc, argv)); }
+int main(int argc, char** argv) {
+  std::vector<char*> words(argv, argv + argc);
+  const std::string only = plico::bench::taken(words, "--only");
+  return plico::bench::bench(plico::bench::arguments(static_cast<int>(words.size()), words.data()), only);
+}

@@ -52,6 +52,7 @@ class Labeller {
 
  private:
   static constexpr double kEasilyRead = 5;  // points
+  static constexpr double kBesideText = 1;  // millimetres kept free around a page's small picture and its lines
 
   // A side of a panel, with its tab.
   struct Crowded {
@@ -82,7 +83,7 @@ class Labeller {
   void take_key(int page) {
     const Page& p = layout_.pages[page];
     if (p.inset) {
-      const Box b = box_around(p.inset->at + p.inset->size / 2, 0, p.inset->size);
+      const Box b = box_around(p.inset->at + p.inset->size / 2, 0, p.inset->size + Vec2::Constant(2 * kBesideText));
       paper_.add({b.begin(), b.end()}, page);
     }
     if (p.key_form == KeyForm::None) return;

@@ -4,7 +4,9 @@
 #include <map>
 #include <numeric>
 
+#include "plico/mesh/check.h"
 #include "plico/mesh/measures.h"
+#include "plico/mesh/repair.h"
 
 namespace plico {
 namespace {
@@ -157,5 +159,12 @@ class RegionFinder {
 }  // namespace
 
 FlatRegions flat_regions(const Mesh& mesh, double planarity) { return RegionFinder(mesh, planarity).find(); }
+
+Mesh with_flat_regions_whole(Mesh mesh) {
+  FlatRegions regions = flat_regions(mesh);
+  const CheckOptions strict{.planarity = kFlatPolygon, .self_intersections = false};
+  if (regions.num_merged == 0 || !check_mesh(regions.soup, strict).usable()) return mesh;
+  return Mesh(std::move(regions.soup));
+}
 
 }  // namespace plico

@@ -16,4 +16,7 @@ struct FlatRegions {
 // result folds to it. O(n log n).
 FlatRegions flat_regions(const Mesh& mesh, double planarity = 1e-11);
 
+// The mesh of its flat regions; the mesh itself where nothing joins, or what joins is no mesh of flat polygons.
+Mesh with_flat_regions_whole(Mesh mesh);
+
 }  // namespace plico

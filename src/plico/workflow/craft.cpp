@@ -31,7 +31,13 @@ namespace {
 // a kit gain nearly all that they will in an eighth of them.
 constexpr long kImprovingSteps = 400, kImprovingStepsOfPart = 50, kMostImprovingSteps = 200'000;
 
-constexpr int kMostToDrawLate = 10'000;  // faces
+constexpr int kMostWorkedOnLate = 10'000;  // faces
+
+// Who waits for a motion or a few pages gets them, however late; of so many panels they take longer than who stopped
+// the work, or limited its time, wants to wait.
+bool gives_up(const CraftResult& result, const Run& run) {
+  return result.net.sheet.num_faces() > kMostWorkedOnLate && run.over();
+}
 
 std::string_view kind_of(MotionMethod method) {
   return method == MotionMethod::Linear || method == MotionMethod::Uniform ? name(method) : "planned";
@@ -146,6 +152,11 @@ void improve_net(const Mesh& mesh, const CraftOptions& options, const Run& run, 
 
 // The net that folds, or the one that comes closest, replaces the one found without regard to motion.
 void find_net_that_folds(const Mesh& mesh, const CraftOptions& options, const Run& run, CraftResult& result) {
+  const auto time_is_over = [&] {
+    if (gives_up(result, run)) result.why_no_motion = "the time was over";
+    return !result.why_no_motion.empty();
+  };
+  if (time_is_over()) return;
   run.report("looking for a net that folds", 0);
   NetAndMotion found = fold_or_plan(mesh, {.seed = options.unfold.search.seed, .law = *options.law}, run);
   if (!found.net.crossing.empty()) {
@@ -155,6 +166,7 @@ void find_net_that_folds(const Mesh& mesh, const CraftOptions& options, const Ru
                     a, b, found.net.crossing.size());
     return;
   }
+  if (!found.motion && time_is_over()) return;  // with the net at hand
   Unfolding net = lay_flat(mesh, found.net.tree);
   NetVerdict verdict = verify_net(net, mesh);
   if (verdict.parts > 1) {  // cut short: the net at hand folds straight, or not at all
@@ -248,12 +260,6 @@ std::string page_text(const Mesh& mesh, const CraftOptions& options, const Craft
   return viewer_page(page);
 }
 
-// Who waits for a few pages gets them, however late; of so many panels they take longer than who stopped the work, or
-// limited its time, wants to wait.
-bool gives_up(const CraftResult& result, const Run& run) {
-  return result.net.sheet.num_faces() > kMostToDrawLate && run.over();
-}
-
 // False when that was given up.
 bool add_pages(const CraftOptions& options, const Run& run, CraftResult& result) {
   DrawOptions how = options.draw;
@@ -287,7 +293,7 @@ void add_pictures(const Mesh& mesh, const CraftOptions& options, CraftResult& re
 LayoutOptions layout_of(const Mesh& mesh, const CraftOptions& options, const CraftResult& result) {
   LayoutOptions layout = options.layout;
   layout.size.fill_page = true;
-  layout.may_give_up = result.net.sheet.num_faces() > kMostToDrawLate;
+  layout.may_give_up = result.net.sheet.num_faces() > kMostWorkedOnLate;
   if (result.kit) {
     layout.titles = part_titles(result.kit->parts.names, result.kit->pieces);
     layout.seams = seams_of(mesh, *result.kit);

@@ -21,6 +21,7 @@ namespace {
 constexpr double kGoldenRatio = 0.6180339887498949;  // of the smaller part: its multiples spread evenly
 // Planners that find a motion of such a net find it early; plico fold tries harder.
 constexpr double kPlanningEffort = 0.25;
+constexpr int kMostPlannedLate = 10'000;        // faces: no motion of more is planned when the run is over
 constexpr long kStepsBeforeAllTrees = 100'000;  // well below a second
 
 long steps_for(const Mesh& mesh) { return 20'000 + std::min(300L * mesh.num_faces(), 1'500'000L); }
@@ -252,6 +253,7 @@ NetAndMotion fold_or_plan(const Mesh& mesh, const FoldableNetOptions& options, c
     result.motion = Motion{method, result.net.path, result.net.proof};
     return result;
   }
+  if (run.over() && mesh.num_faces() > kMostPlannedLate) return result;
   run.report("planning a motion", 0);
   // Nets that nearly fold by the law are seldom those that a planner can fold.
   const SearchResult plain = find_net(mesh, {.seed = options.seed}, run);

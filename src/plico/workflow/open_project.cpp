@@ -6,7 +6,6 @@
 #include "plico/io/mesh/mesh_file.h"
 #include "plico/io/pattern/fold.h"
 #include "plico/io/text/file.h"
-#include "plico/mesh/flat_regions.h"
 #include "plico/mesh/repair.h"
 
 namespace plico {

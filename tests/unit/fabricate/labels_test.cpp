@@ -92,20 +92,36 @@ TEST(Labels, LieInTheirPanelOrTabOrBesideThePartsWithALeader) {
   }
 }
 
-// Sides of 6 mm around the part, with free paper beyond: ids stand outside before they are too small to read.
+// A panel in the middle of a page: its sides are long enough for an id of 4 points, but not for one that is easily
+// read.
+PageLayout lone_panel(double margin) {
+  constexpr double kSide = 2.4;
+  const Vec2 at(margin, margin), right(kSide, 0), up(0, kSide);
+  PlacedPart part;
+  part.panels.push_back({{at, at + right, at + right + up, at + up}, {0, 1, 2, 3}, 0});
+  PageLayout layout;
+  layout.pages.push_back({.size = Vec2::Constant(2 * margin + kSide)});
+  layout.parts.push_back(part);
+  return layout;
+}
+
 TEST(Labels, StandBesideThePartRatherThanBeTooSmall) {
-  int outside = 0;
-  for (double longest : {5.0, 6.0, 8.0}) {
-    const Mesh mesh = samples::cube();
-    LayoutOptions options;
-    options.size.longest = longest;
-    const LayoutResult sheet = lay_out_pages(samples::net_of(mesh), folded_shape(mesh), options);
-    outside += sheet.report.labels.leaders;
-    if (sheet.report.labels.omitted > 0) continue;  // no paper is left beside some edges
-    for (const PlacedPart& part : sheet.layout.parts)
-      for (const Label& label : part.labels) EXPECT_GE(label.size, 5 * kMillimetresPerPoint) << label.text;
+  const std::vector<std::string> ids{"12", "34", "56", "78"};
+  PageLayout roomy = lone_panel(20);
+  const LabelReport beside = add_labels(roomy, ids, Font(), {});
+  EXPECT_EQ(beside.leaders, 4);
+  EXPECT_EQ(beside.omitted, 0);
+  ASSERT_EQ(roomy.parts[0].labels.size(), 4U);
+  for (const Label& label : roomy.parts[0].labels) {
+    EXPECT_GE(label.size, 5 * kMillimetresPerPoint) << label.text;
+    EXPECT_FALSE(label.leader.empty()) << label.text;
   }
-  EXPECT_GT(outside, 0);
+
+  PageLayout tight = lone_panel(0.5);  // no paper is left beside the sides: small is better than nothing
+  const LabelReport inside = add_labels(tight, ids, Font(), {});
+  EXPECT_EQ(inside.leaders, 0);
+  ASSERT_GT(inside.placed, 0);
+  for (const Label& label : tight.parts[0].labels) EXPECT_LT(label.size, 5 * kMillimetresPerPoint) << label.text;
 }
 
 TEST(Labels, AreNotWrittenOnceTheRunIsOver) {

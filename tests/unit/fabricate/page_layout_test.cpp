@@ -7,6 +7,7 @@
 #include "plico/base/error.h"
 #include "plico/fabricate/fabricate.h"
 #include "plico/fabricate/net_sides.h"
+#include "plico/fabricate/split.h"
 #include "plico/verify/page_layout.h"
 
 namespace plico {
@@ -191,6 +192,19 @@ TEST(PageLayout, SplittingKeepsEveryPanelAndMatesTheNewSeams) {
   EXPECT_EQ(result.report.folds_cut, result.report.parts - 1);
   EXPECT_EQ(result.report.labels.placed, 2 * (7 + result.report.folds_cut));
   EXPECT_TRUE(verify_layout(result.layout).sound());
+}
+
+// Pieces grow towards every panel of so small a net, so it does not matter which panel comes first.
+TEST(PageLayout, SplitsAreTheSameHoweverPanelsAreNumbered) {
+  for (int seed = 1; seed <= 10; ++seed) {
+    SCOPED_TRACE(seed);
+    const auto radius = [seed](int v) { return Rng(seed).stream(v).uniform(0.5, 1.3); };
+    Unfolding net = net_of(samples::ball(2, 5, radius));
+    const std::vector<char> cuts = cuts_to_fit(NetSides(net), Vec2(2.5, 3));
+    EXPECT_GT(std::ranges::count(cuts, 1), 0);
+    std::ranges::reverse(net.sheet.faces);
+    EXPECT_EQ(cuts_to_fit(NetSides(net), Vec2(2.5, 3)), cuts);
+  }
 }
 
 TEST(PageLayout, APanelTooLargeIsAnErrorEvenWhenSplitting) {

@@ -21,10 +21,10 @@ class StopAt final : public Progress {
   std::stop_source stop_;
 };
 
-CraftResult stopped(int faces, const char* phase) {
+CraftResult stopped(int faces, const char* phase, std::optional<FoldingLaw> law = {}) {
   StopAt listener(phase);
   CraftOptions options;
-  options.law.reset();
+  options.law = law;
   return craft(Mesh(make_shape("grid", {.faces = faces})), options, {.stop = listener.token(), .progress = &listener});
 }
 
@@ -43,6 +43,16 @@ TEST(Craft, StoppedWhileManyPanelsAreDrawnItHasTheNetAlone) {
     EXPECT_TRUE(result.verdict.valid());
     EXPECT_EQ(names(result), (std::vector<std::string>{"model.fold", "report.json"}));
   }
+}
+
+TEST(Craft, StoppedWhileOneThatFoldsIsSoughtItHasTheNetAtHand) {
+  const CraftResult result = stopped(10'404, "looking for a net that folds", FoldingLaw::Linear);
+  EXPECT_EQ(result.ending, Ending::Stopped);
+  EXPECT_TRUE(result.verdict.valid());
+  EXPECT_EQ(result.verdict.parts, 1);
+  EXPECT_FALSE(result.motion.has_value());
+  EXPECT_EQ(result.why_no_motion, "the time was over");
+  EXPECT_EQ(names(result), (std::vector<std::string>{"model.fold", "report.json"}));
 }
 
 TEST(Craft, AFewPanelsAreDrawnToTheEnd) {

@@ -229,7 +229,9 @@ std::string layout_text(const LayoutReport& r) {
   text += fmt::format("edge ids: {} at their edge, {} beside it, {} left out\n", r.labels.placed, r.labels.leaders,
                       r.labels.omitted);
   if (!r.steps.empty()) text += build_text(r);
-  if (r.folds_cut > 0) text += fmt::format("{} folds became seams so that the parts fit\n", r.folds_cut);
+  if (r.folds_cut > 0)
+    text += fmt::format("{} so that the parts fit\n",
+                        r.folds_cut == 1 ? "1 fold became a seam" : fmt::format("{} folds became seams", r.folds_cut));
   if (r.weak_folds_cut > 0) text += fmt::format("{} short folds with much on them became seams\n", r.weak_folds_cut);
   if (r.joints_without_hole > 0)
     text +=

@@ -97,12 +97,12 @@ MeshFormat output_format(const std::string& path) {
 }
 
 Mesh with_flat_regions_whole(Mesh mesh, Session& session) {
-  FlatRegions regions = flat_regions(mesh);
-  const CheckOptions strict{.planarity = kFlatPolygon, .self_intersections = false};
-  if (regions.num_merged == 0 || !check_mesh(regions.soup, strict).usable()) return mesh;
-  session.say(fmt::format("flat regions: {} faces are taken as {}", mesh.num_faces(), regions.soup.num_faces()));
-  session.report()["flat_regions"] = {{"faces_before", mesh.num_faces()}, {"faces", regions.soup.num_faces()}};
-  return Mesh(std::move(regions.soup));
+  const int faces = mesh.num_faces();
+  Mesh whole = plico::with_flat_regions_whole(std::move(mesh));
+  if (whole.num_faces() == faces) return whole;
+  session.say(fmt::format("flat regions: {} faces are taken as {}", faces, whole.num_faces()));
+  session.report()["flat_regions"] = {{"faces_before", faces}, {"faces", whole.num_faces()}};
+  return whole;
 }
 
 Mesh read_mesh_of_net(const std::string& path, const std::string& repair, int panels, Session& session) {
