@@ -27,6 +27,8 @@ constexpr double kLeastOpen = 1e-7;  // radians: a state is looked for with loop
 constexpr double kOpening = 10;      // times what the goal is open by
 constexpr double kPlacesPerOpening = 60;        // mean edges that a place may be off by, a radian of the goal's opening
 constexpr double kLeastInexact = 1e-6;          // of the shortest edge
+constexpr int kMostDecimals = 5;                // that drawings are looked at for
+constexpr double kOnGrid = 1e-4;                // of the grid
 constexpr double kMostGoalTurn = radians(0.5);  // of a crease whose goal is neither 0 nor 180 degrees
 constexpr double kLeftFlat = 0.05;              // of the way
 
@@ -280,10 +282,26 @@ std::vector<Configuration> states_on_the_way(const CreasePattern& sheet, int cou
   return states;
 }
 
-// Units that places are off by, as the goal tells: what is off by more than a few of these was drawn so.
+// Units that symmetric places may be apart where all coordinates were rounded to the same few decimals; 0 where not.
+double rounding_apart(const CreasePattern& sheet) {
+  double grid = 1;
+  for (int decimals = 1; decimals <= kMostDecimals; ++decimals) {
+    grid /= 10;
+    const auto is_on_grid = [=](double x) { return std::abs(x / grid - std::round(x / grid)) < kOnGrid; };
+    if (std::all_of(sheet.vertices.begin(), sheet.vertices.end(),
+                    [&](const Vec2& p) { return is_on_grid(p.x()) && is_on_grid(p.y()); }))
+      return 1.5 * grid;  // a half in x and in y, of both
+  }
+  return 0;
+}
+
+// Units that places are off by, as the goal and the decimals tell: what is off by more than a few of these was drawn
+// so. A goal may nearly close by chance.
 double inexactness(const CreasePattern& sheet, double open, const SettleOptions& options) {
-  const double least = kLeastInexact * shortest_edge(sheet);
-  return std::clamp(kPlacesPerOpening * open * mean_edge(sheet), least, options.drawn / kLeastInexact * least);
+  const double least = std::max(kLeastInexact * shortest_edge(sheet),
+                                std::min(rounding_apart(sheet), options.drawn * shortest_edge(sheet)));
+  return std::clamp(kPlacesPerOpening * open * mean_edge(sheet), least,
+                    std::max(least, options.drawn * shortest_edge(sheet)));
 }
 
 double largest_move(const CreasePattern& from, const CreasePattern& to) {

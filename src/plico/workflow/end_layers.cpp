@@ -20,6 +20,7 @@ constexpr double kFlatEnd = 1e-6;    // radians: of a fold that is flat or close
 constexpr double kThinnest = 1e-4;   // of the mean side: how wide what two panels share must be; drawings are rounded
 constexpr double kFlush = 1e-7;      // diagonals: panels nearer than this lie on each other
 constexpr double kNearlyFlat = 0.2;  // least cosine between two panels that are about to lie on each other
+constexpr double kSeenEvery = radians(10);  // of a crease: how far it turns between two looks
 
 bool is_closed_fold(double angle) { return std::abs(std::abs(angle) - kPi) < kFlatEnd; }
 
@@ -37,7 +38,7 @@ class LayerReader {
  public:
   LayerReader(const CreasePattern& sheet, const Linkage& linkage, const FoldingPath& path)
       : sheet_(sheet), diagonal_(diagonal(sheet)), thinnest_(kThinnest * mean_side_length(linkage)) {
-    for (const Waypoint& waypoint : path.waypoints) poses_.push_back(folding_map(linkage, waypoint.config));
+    look_at(linkage, path);
     for (int f = 0; f < sheet.num_faces(); ++f) {
       triangles_.push_back(triangles_of(sheet, f));
       Eigen::AlignedBox2d& box = boxes_.emplace_back();
@@ -60,6 +61,19 @@ class LayerReader {
   }
 
  private:
+  // Between waypoints as well where panels stand there as angles in between say, without loops, whose motions have few.
+  void look_at(const Linkage& linkage, const FoldingPath& path) {
+    poses_.push_back(folding_map(linkage, path.waypoints.front().config));
+    for (std::size_t w = 1; w < path.waypoints.size(); ++w) {
+      const Configuration &before = path.waypoints[w - 1].config, &after = path.waypoints[w].config;
+      const double turn = (after - before).lpNorm<Eigen::Infinity>();
+      const int looks = linkage.has_loops() ? 1 : std::max(1, static_cast<int>(std::ceil(turn / kSeenEvery)));
+      for (int i = 1; i < looks; ++i)
+        poses_.push_back(folding_map(linkage, before + static_cast<double>(i) / looks * (after - before)));
+      poses_.push_back(folding_map(linkage, after));
+    }
+  }
+
   Vec2 at_end(int face, const Vec2& p) const { return (poses_.back()[face] * Vec3(p.x(), p.y(), 0)).head<2>(); }
 
   // In the middle of the widest piece that both have, in the folded sheet.

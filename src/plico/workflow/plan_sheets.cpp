@@ -7,9 +7,12 @@
 #include "plico/verify/deformation.h"
 #include "plico/workflow/far_motion.h"
 #include "plico/workflow/plan_drawn.h"
+#include "plico/workflow/plan_origami.h"
 
 namespace plico {
 namespace {
+
+constexpr double kStripOpening = 0.2;  // of the clearance, that hinges may open by between waypoints
 
 // One sheet of a drawing, and what its elements are there.
 struct DrawnSheet {
@@ -102,6 +105,18 @@ FoldingPath one_after_the_other(const CreasePattern& whole, const std::vector<Dr
   return path;
 }
 
+// Sheets without loops have motions of few waypoints, between which the proof of sheets with loops sees them come
+// apart.
+void refine_strips(const std::vector<DrawnSheet>& sheets, std::vector<MotionOutcome>& outcomes, double gap,
+                   const Run& run) {
+  for (std::size_t s = 0; s < sheets.size(); ++s) {
+    const Linkage linkage = make_linkage(sheets[s].sheet);
+    if (linkage.has_loops() || !outcomes[s].proven()) continue;
+    FoldingPath& path = outcomes[s].motions.front().path;
+    path = refine_path(linkage, path, gap, run);
+  }
+}
+
 // Of each panel of the drawing; empty when none was cut.
 std::vector<double> bends_of(const CreasePattern& drawing, const std::vector<DrawnSheet>& sheets,
                              const std::vector<MotionOutcome>& outcomes) {
@@ -141,6 +156,7 @@ MotionOutcome plan_sheets(const CreasePattern& drawing, const MotionOptions& opt
   result.bends = bends_of(drawing, sheets, outcomes);
   const CreasePattern whole = changed ? put_together(drawing, sheets, outcomes) : drawing;
   const Linkage linkage = make_linkage(whole);
+  if (linkage.has_loops()) refine_strips(sheets, outcomes, kStripOpening * own.clearance, run);
   FoldingPath path = one_after_the_other(whole, sheets, outcomes);
   result.ending = worst_ending(outcomes);
   if (result.ending == Ending::Found && options.alternatives > 1) result.ending = Ending::Exhausted;  // one is made

@@ -26,6 +26,25 @@ CreasePattern strip(double first, double second) {
   return sheet;
 }
 
+// A motion without loops has two waypoints; its panels are apart between them only.
+TEST(EndLayers, OfAStripFoldedToAndFroAreInTheOrderOfItsPanels) {
+  const CreasePattern sheet = strip(kPi, -kPi);
+  const Linkage linkage = make_linkage(sheet);
+  const EndLayers layers = end_layers(sheet, linkage, linear_path(linkage));
+  ASSERT_TRUE(layers.flat);
+  EXPECT_EQ(layers.why, "");
+  ASSERT_EQ(layers.orders.size(), 3U);
+  EXPECT_TRUE(check_flat_layers(sheet, layers.orders).valid);
+  // The first fold is a valley: panel 1 lies on the front of panel 0; the second a mountain: panel 2 on the back of 1,
+  // which looks down, and so above both.
+  const std::vector<FaceOrder> expected = {{0, 1, 1}, {0, 2, -1}, {1, 2, -1}};
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_EQ(layers.orders[i].f, expected[i].f);
+    EXPECT_EQ(layers.orders[i].g, expected[i].g);
+    EXPECT_EQ(layers.orders[i].side, expected[i].side) << i;
+  }
+}
+
 // The judge refuses the same orders with one pair turned over.
 TEST(EndLayers, AreTheOnlyOrderThatStandsTheCheck) {
   const CreasePattern sheet = miura({.columns = 3, .rows = 3});

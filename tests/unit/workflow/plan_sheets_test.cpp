@@ -53,6 +53,17 @@ TEST(PlanSheets, EachFoldsToItsGoal) {
   EXPECT_EQ(waypoints.back().time, 1);
 }
 
+// A strip has no loops, and its own motion two waypoints; the drawing has both.
+TEST(PlanSheets, AStripFoldsBesideASheetWithLoops) {
+  for (const bool strip_first : {false, true}) {
+    const CreasePattern drawing = strip_first ? beside(l(), small_miura()) : beside(small_miura(), l());
+    const MotionOutcome outcome = plan_sheets(drawing);
+    EXPECT_EQ(outcome.ending, Ending::Found);
+    EXPECT_TRUE(outcome.proven());
+    EXPECT_EQ(outcome.progress, 1);
+  }
+}
+
 TEST(PlanSheets, OneThatIsLockedDoesNotHoldTheOthers) {
   for (const bool first_is_locked : {false, true}) {
     const CreasePattern drawing = first_is_locked ? beside(locked(), small_miura()) : beside(small_miura(), locked());
