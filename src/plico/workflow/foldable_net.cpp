@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <mutex>
 
 #include "plico/base/error.h"
 #include "plico/base/rng.h"
@@ -46,11 +47,35 @@ PanelKit kit_of(const Mesh& mesh) {
   return kit;
 }
 
+// The nets that searches side by side have proven free, so that the one they hand out is not proven a second time.
+class FreeNets {
+ public:
+  void add(const FoldForest& tree, const PathProof& proof) {
+    const std::lock_guard lock(mutex_);
+    proofs_.emplace_back(tree, proof);
+  }
+
+  std::optional<PathProof> proof_of(const FoldForest& tree) const {
+    const auto at =
+        std::find_if(proofs_.begin(), proofs_.end(), [&](const auto& known) { return known.first == tree; });
+    return at == proofs_.end() ? std::nullopt : std::optional(at->second);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::pair<FoldForest, PathProof>> proofs_;
+};
+
 // Counts collisions at samples of the motion; looks closer by more samples and in the end by the proof.
 class SampledCost : public MotionCost {
  public:
-  SampledCost(const Mesh& mesh, const PanelKit& kit, const FoldableNetOptions& options, double clearance)
-      : mesh_(mesh), options_(options), clearance_(clearance), sampler_(kit, options.law, clearance, 1e-3 * clearance) {
+  SampledCost(const Mesh& mesh, const PanelKit& kit, const FoldableNetOptions& options, double clearance,
+              FreeNets* free_nets = nullptr)
+      : mesh_(mesh),
+        options_(options),
+        clearance_(clearance),
+        free_nets_(free_nets),
+        sampler_(kit, options.law, clearance, 1e-3 * clearance) {
     for (int i = 0; i < options.samples; ++i) sampler_.add_sample((i + 0.5) / options.samples);
   }
 
@@ -89,7 +114,10 @@ class SampledCost : public MotionCost {
     if (cost() > 0) return Closer::Seen;
     const PathProof proof = prove_path(linkage, path, {.clearance = clearance_}, run);
     looked_at_ += proof.pair_intervals;
-    if (proof.verdict == PathVerdict::Free) return Closer::Free;
+    if (proof.verdict == PathVerdict::Free) {
+      if (free_nets_) free_nets_->add(tree, proof);
+      return Closer::Free;
+    }
     if (proof.verdict == PathVerdict::Undecided) return Closer::Unclear;
     sampler_.add_sample(proof.to);
     return cost() > 0 ? Closer::Seen : Closer::Unclear;
@@ -105,6 +133,7 @@ class SampledCost : public MotionCost {
   const Mesh& mesh_;
   const FoldableNetOptions& options_;
   double clearance_;
+  FreeNets* free_nets_;  // not owned; null: nobody asks
   BranchSampler sampler_;
   long looks_ = 0;
   long looked_at_ = 0;  // panels by checks, pairs by proofs; each takes about as long as the sampler for one unit
@@ -206,7 +235,8 @@ FoldableNet find_foldable_net(const Mesh& mesh, const FoldableNetOptions& option
     if (net.parts == 1) return net.forest;
     return lightest_forest(mesh, dual_weights(mesh, Heuristic::MinimumPerimeter, random_direction(own), own));
   };
-  const auto new_cost = [&] { return std::make_unique<SampledCost>(mesh, kit, options, clearance); };
+  FreeNets free_nets;
+  const auto new_cost = [&] { return std::make_unique<SampledCost>(mesh, kit, options, clearance, &free_nets); };
   const auto search = [&](long steps) {
     return anneal_foldable_net(mesh, start, new_cost, {.seed = options.seed, .max_steps = steps}, run);
   };
@@ -224,7 +254,10 @@ FoldableNet find_foldable_net(const Mesh& mesh, const FoldableNetOptions& option
   result.steps = found.steps;
   const Linkage linkage = linkage_of(lay_flat(mesh, result.tree));
   result.path = path_by(options.law, linkage);
-  if (found.ending == Ending::Found) result.proof = prove_path(linkage, result.path, {.clearance = clearance});
+  if (found.ending == Ending::Found) {
+    const std::optional<PathProof> known = free_nets.proof_of(result.tree);
+    result.proof = known ? *known : prove_path(linkage, result.path, {.clearance = clearance});
+  }
   return result;
 }
 
