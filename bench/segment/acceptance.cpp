@@ -31,12 +31,14 @@ class Acceptance {
   explicit Acceptance(const Arguments& args)
       : args_(args), meshes_(all_meshes(args)), table_("Goals", {"figure", "seed", "goal", "value", "reached"}) {}
 
-  bool run() {
-    growth();
-    limbs();
-    impossible_is_said();
-    mirrored();
-    for (seed_ = 1; seed_ <= (args_.quick ? 1 : 3); ++seed_) {
+  bool run(int first, int last) {
+    if (first == 1) {
+      growth();
+      limbs();
+      impossible_is_said();
+      mirrored();
+    }
+    for (seed_ = first; seed_ <= last; ++seed_) {
       named_parts();
       fewest_parts();
       fewest_in_one_piece();
@@ -230,6 +232,6 @@ class Acceptance {
 
 }  // namespace
 
-bool acceptance(const Arguments& arguments) { return Acceptance(arguments).run(); }
+bool acceptance(const Arguments& arguments, int first, int last) { return Acceptance(arguments).run(first, last); }
 
 }  // namespace plico::bench

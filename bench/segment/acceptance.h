@@ -4,7 +4,8 @@
 
 namespace plico::bench {
 
-// Prints the table for seeds 1 to 3, only 1 when quick; true when every goal is reached. Needs the folder of meshes.
-bool acceptance(const Arguments& arguments);
+// Prints the table for seeds `first` to `last`; true when every goal is reached. Needs the folder of meshes. What does
+// not depend on the seed comes with seed 1.
+bool acceptance(const Arguments& arguments, int first, int last);
 
 }  // namespace plico::bench

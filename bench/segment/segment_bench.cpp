@@ -1,6 +1,7 @@
 // Few parts that mean something, each with a proven net and motion, against the dissertation's clusters.
 //   bench_segment [--meshes DIR] [--json FILE] [--quick]
-//   bench_segment --acceptance --meshes DIR [--quick]    goals, seeds 1-3 (--quick: 1), reached or not
+//   bench_segment --acceptance --meshes DIR [--quick] [--seed N]    goals, seeds 1-3 (--quick: 1; or N alone), reached
+//                                                                   or not
 // Table 1: what `plico segment` makes of every mesh. [Xi17] Table 4.1: horse-312 in 7 parts, 3 of them linear, 12.75 s.
 // Table 2: as few parts as are proven to fold.
 // Table 3: growth with the face count, cuts alone, with peak memory.
@@ -114,8 +115,12 @@ void growth(Table& table, bool quick) {
 int main(int argc, char** argv) {
   using namespace plico::bench;
   if (argc > 1 && std::strcmp(argv[1], "--acceptance") == 0) {
-    argv[1] = argv[0];
-    return acceptance(arguments(argc - 1, argv + 1)) ? 0 : 1;
+    std::vector<char*> words(argv + 1, argv + argc);
+    words[0] = argv[0];
+    const std::string only = taken(words, "--seed");
+    const Arguments args = arguments(static_cast<int>(words.size()), words.data());
+    const int first = only.empty() ? 1 : std::stoi(only), last = only.empty() && !args.quick ? 3 : first;
+    return acceptance(args, first, last) ? 0 : 1;
   }
   const Arguments args = arguments(argc, argv);
   const std::vector<Named> meshes = all_meshes(args);

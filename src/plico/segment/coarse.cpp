@@ -11,6 +11,7 @@
 #include "plico/segment/given.h"
 #include "plico/segment/rearrange.h"
 #include "plico/segment/settle.h"
+#include "plico/segment/thickness.h"
 
 namespace plico {
 namespace {
@@ -74,15 +75,20 @@ std::vector<int> without_loose_pieces(const Mesh& mesh, const DualGraph& graph, 
   }
 }
 
+std::vector<int> limbs_of(const Mesh& mesh, const DualGraph& graph, const std::vector<int>& start,
+                          const NeckCutOptions& options, const Run& run) {
+  return cut_by_thickness(mesh, graph, cut_limbs(graph, start, options, run), options, run);
+}
+
 }  // namespace
 
 std::vector<int> cut_limbs_of(const Mesh& mesh, const DualGraph& graph, const NeckCutOptions& options, const Run& run) {
   const Components whole = components(mesh);
   if (mesh.num_faces() < kCoarseFrom || whole.count > 1 || options.max_parts == 1)
-    return cut_limbs(graph, whole.of_face, options, run);
+    return limbs_of(mesh, graph, whole.of_face, options, run);
   run.report("looking at the shape with fewer faces", 0);
   const Mesh coarse = coarse_of(mesh);
-  const std::vector<int> coarse_part = cut_limbs(DualGraph(coarse), components(coarse).of_face, options, run);
+  const std::vector<int> coarse_part = limbs_of(coarse, DualGraph(coarse), components(coarse).of_face, options, run);
   const NearestFace nearest(coarse);
   std::vector<int> part;
   for (FaceId f : mesh.faces()) part.push_back(coarse_part[nearest(center(mesh, f), normal(mesh, f))]);

@@ -9,9 +9,9 @@ namespace plico {
 
 inline constexpr int kCoarseFrom = 3000;  // faces
 
-// cut_limbs() of the components of a mesh. One component of kCoarseFrom faces or more is simplified first; every face
-// then goes with the nearest coarse one, loose pieces with their neighbours, and seams move to where they are cheapest.
-// Nearly linear.
+// cut_limbs() of the components of a mesh, then cut_by_thickness() (segment/thickness.h). One component of kCoarseFrom
+// faces or more is simplified first; every face then goes with the nearest coarse one, loose pieces with their
+// neighbours, and seams move to where they are cheapest. Nearly linear.
 std::vector<int> cut_limbs_of(const Mesh& mesh, const DualGraph& graph, const NeckCutOptions& options = {},
                               const Run& run = {});
 

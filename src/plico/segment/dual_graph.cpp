@@ -11,6 +11,12 @@ namespace plico {
 namespace {
 
 constexpr double kFineMesh = 2000;  // faces: from here on a valley is spread over several edges
+constexpr double kEuler = 2.71828182845904523536;
+
+// Chosen on animals whose limbs are known (bench/segment, seeds 11-15) and on the meshes of its tables.
+constexpr double kSlopeWeight = 0.25;
+constexpr double kLeastShare = 0.3;        // of the cost, however steeply the thickness changes
+constexpr double kEvenThickness = 8 / 7.;  // where it does not change: costs stay the same on the whole
 
 }  // namespace
 
@@ -40,6 +46,17 @@ void DualGraph::hold(int a, int b) {
       if (arcs_[i].to == to) arcs_[i].cost = held_cost();
 }
 
+void DualGraph::discount(const std::vector<double>& thick) {
+  for (int f = 0; f < num_faces(); ++f)
+    for (int i = first_[f]; i < first_[f + 1]; ++i) {
+      Arc& arc = arcs_[i];
+      const double a = thick[f], b = thick[arc.to];
+      if (!(a > 0 && b > 0 && arc.distance > 0) || arc.cost >= held_cost()) continue;
+      const double slope = std::abs(a - b) / arc.distance;
+      arc.cost *= kEvenThickness * std::max(kLeastShare, plico::pow(kEuler, -kSlopeWeight * slope));
+    }
+}
+
 DualGraph DualGraph::with_length(double share) const {
   DualGraph longer = *this;
   for (Arc& arc : longer.arcs_) arc.cost += share * arc.length;
@@ -48,7 +65,6 @@ DualGraph DualGraph::with_length(double share) const {
 
 double seam_factor(double fold_angle) {
   constexpr double kFall = 0.45;  // radians
-  constexpr double kEuler = 2.71828182845904523536;
   if (fold_angle > 0) return std::max(0.12, plico::pow(kEuler, -fold_angle / kFall));
   return 1 - 0.25 * std::min(1.0, -fold_angle / (kPi / 2));
 }

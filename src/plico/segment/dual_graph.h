@@ -26,6 +26,11 @@ class DualGraph {
   void hold(int a, int b);
   double held_cost() const;
 
+  // Makes seams cheaper where the thickness of the shape changes, and a little dearer where it does not: a limb may
+  // begin without a valley. `thick` of every face (segment/thickness.h), 0 where it is not known: nothing changes
+  // there, nor between faces that are held together.
+  void discount(const std::vector<double>& thick);
+
   // The same faces, where every seam costs this share of its length besides.
   DualGraph with_length(double share) const;
 

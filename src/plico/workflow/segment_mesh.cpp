@@ -17,6 +17,7 @@
 #include "plico/segment/must_part.h"
 #include "plico/segment/necks.h"
 #include "plico/segment/rearrange.h"
+#include "plico/segment/thickness.h"
 #include "plico/unfold/flat_faces.h"
 #include "plico/unfold/heuristics.h"
 #include "plico/unfold/overlap.h"
@@ -86,7 +87,7 @@ class Segmenter {
     check_kept(options_.faces, start);
     if (const auto images = images_to_keep(start)) return cut_mirrored(graph_, start, *images, neck_options(), run_);
     if (apart_.empty() && !options_.faces.any()) return cut_limbs_of(mesh_, graph_, neck_options(), run_);
-    return cut_limbs(graph_, start, neck_options(), run_);
+    return cut_by_thickness(mesh_, graph_, cut_limbs(graph_, start, neck_options(), run_), neck_options(), run_);
   }
 
   // Of every face, when both sides are to be alike and can be.
