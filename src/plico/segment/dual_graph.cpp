@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "plico/base/libm.h"
@@ -11,7 +12,6 @@ namespace plico {
 namespace {
 
 constexpr double kFineMesh = 2000;  // faces: from here on a valley is spread over several edges
-constexpr double kEuler = 2.71828182845904523536;
 
 // Chosen on animals whose limbs are known (bench/segment, seeds 11-15) and on the meshes of its tables.
 constexpr double kSlopeWeight = 0.25;
@@ -53,7 +53,7 @@ void DualGraph::discount(const std::vector<double>& thick) {
       const double a = thick[f], b = thick[arc.to];
       if (!(a > 0 && b > 0 && arc.distance > 0) || arc.cost >= held_cost()) continue;
       const double slope = std::abs(a - b) / arc.distance;
-      arc.cost *= kEvenThickness * std::max(kLeastShare, plico::pow(kEuler, -kSlopeWeight * slope));
+      arc.cost *= kEvenThickness * std::max(kLeastShare, plico::pow(std::numbers::e, -kSlopeWeight * slope));
     }
 }
 
@@ -65,7 +65,7 @@ DualGraph DualGraph::with_length(double share) const {
 
 double seam_factor(double fold_angle) {
   constexpr double kFall = 0.45;  // radians
-  if (fold_angle > 0) return std::max(0.12, plico::pow(kEuler, -fold_angle / kFall));
+  if (fold_angle > 0) return std::max(0.12, plico::pow(std::numbers::e, -fold_angle / kFall));
   return 1 - 0.25 * std::min(1.0, -fold_angle / (kPi / 2));
 }
 

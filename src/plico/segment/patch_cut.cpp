@@ -1,6 +1,7 @@
 #include "plico/segment/patch_cut.h"
 
 #include <algorithm>
+#include <numbers>
 #include <optional>
 
 #include "plico/base/error.h"
@@ -17,10 +18,9 @@ constexpr double kRidge = 0.3;        // what a radian of a ridge adds to it
 constexpr double kDentBand = 0.2;     // how far from the deepest vertex faces are free, as a share of the reach
 
 double angle_factor(double fold_angle, const SeamWeight& weight) {
-  constexpr double kEuler = 2.71828182845904523536;
   if (weight.valley_fall <= 0) return 1;
   if (fold_angle < 0) return 1 - kRidge * fold_angle;
-  return std::max(kDeepValley, plico::pow(kEuler, -fold_angle / weight.valley_fall));
+  return std::max(kDeepValley, plico::pow(std::numbers::e, -fold_angle / weight.valley_fall));
 }
 
 double seam_cost(const Mesh& mesh, EdgeId e, const PatchVertices& patch, double deepest, const SeamWeight& weight) {

@@ -26,7 +26,7 @@ std::vector<FaceOrder> face_orders(const FoldFile& file) {
   };
   for (const nlohmann::json& entry : list) {
     const bool fits = entry.is_array() && entry.size() == 3 && is_panel(entry[0]) && is_panel(entry[1]) &&
-                      (entry[2] == -1 || entry[2] == 0 || entry[2] == 1);
+                      entry[2].is_number_integer() && (entry[2] == -1 || entry[2] == 0 || entry[2] == 1);
     if (!fits)
       throw InvalidInput("fold/face-orders",
                          fmt::format("faceOrders entry {} is not two of {} panels and -1, 0 or 1: {}", orders.size(),
