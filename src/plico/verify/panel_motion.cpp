@@ -8,7 +8,7 @@
 
 namespace plico {
 
-constexpr std::size_t kMostKept = 4'000'000;  // sums, some 100 MB
+constexpr int kHingesBetweenAnchors = 16;
 
 // Of a thick hinge: -1 below the panels, 0 in the mid-plane, 1 above.
 static int axis_in_use(double angle) { return angle > kPi / 2 ? 1 : angle < -kPi / 2 ? -1 : 0; }
@@ -33,12 +33,12 @@ LinkageMotion::LinkageMotion(const Linkage& linkage, const FoldingPath& path)
       path_(path),
       links_(linkage.panels.size()),
       chains_(linkage.panels.size()),
+      world_views_(linkage.panels.size()),
       ancestry_(linkage.parent_panel, linkage.order) {
   check_path(linkage, path);
   std::vector<double> chain(linkage.panels.size(), 0);
   double reach = 0;
   int deepest = 0;
-  std::size_t all_chains = 0;
   for (int p : linkage.order) {
     Link& link = links_[p];
     Vec3 sum = Vec3::Zero();
@@ -47,6 +47,7 @@ LinkageMotion::LinkageMotion(const Linkage& linkage, const FoldingPath& path)
     for (const Vec3& corner : linkage.panels[p]) link.radius = std::max(link.radius, (corner - link.center).norm());
     link.radius = plico::hypot(link.radius, linkage.thickness / 2);
     const int parent = link.parent = linkage.parent_panel[p];
+    link.anchor = ancestry_.depth(p) % kHingesBetweenAnchors == 0 ? p : links_[parent].anchor;
     if (parent < 0) {
       link.pivot = link.center;
       reach = std::max(reach, link.center.norm() + link.radius);
@@ -58,11 +59,9 @@ LinkageMotion::LinkageMotion(const Linkage& linkage, const FoldingPath& path)
     link.axes = hinge.roll * std::sqrt(2.0);
     link.length = (link.pivot - links_[parent].pivot).norm() + 2 * link.axes;
     chain[p] = chain[parent] + link.length;
-    all_chains += ancestry_.depth(p);
     deepest = std::max(deepest, ancestry_.depth(p));
     reach = std::max(reach, chain[p] + (link.center - link.pivot).norm() + link.radius + link.center.norm());
   }
-  keeps_all_ = all_chains <= kMostKept;
   // Each step down a chain rounds a rotation and a translation once; 16 covers their dozen operations.
   rounding_ = 16 * 2.3e-16 * (deepest + 4) * reach;
 }
@@ -129,40 +128,68 @@ const LinkageMotion::Link& LinkageMotion::seen(int panel) const {
   return link;
 }
 
+void LinkageMotion::begin(Chain& chain, int panel) const {
+  const Link& link = links_[panel];
+  chain.seen_at = look_;
+  chain.sums.clear();
+  chain.next = panel;
+  chain.straight = (link.center - link.pivot).norm() + link.radius;
+  chain.center = (*at_start_)[panel] * link.center;
+}
+
 // Adds the next hinge up the chain.
 void LinkageMotion::Chain::climb(const Link& link, double radius) {
-  const double now = link.axis_now.cross(center - link.pivot_now).norm() + radius;
-  const double reach = std::min(now + travel, straight) + link.axes;
-  const double inner = sums.empty() ? 0 : sums.back().turn;
   const Sums before = sums.empty() ? Sums{} : sums.back();
-  sums.push_back({inner + link.turn, before.reach_turn + reach * link.turn,
-                  before.less + reach * (link.turn * (2 * inner + link.turn) / 8 - link.kink) - link.slip / 4});
-  travel += reach * (link.turn + link.kink);
+  const double now = link.axis_now.cross(center - link.pivot_now).norm() + radius;
+  const double reach = std::min(now + before.travel, straight) + link.axes;
+  sums.push_back({before.turn + link.turn, before.kink + link.kink, before.reach_turn + reach * link.turn,
+                  before.less + reach * (link.turn * (2 * before.turn + link.turn) / 8 - link.kink) - link.slip / 4,
+                  before.travel + reach * (link.turn + link.kink)});
   straight += link.length;
 }
 
+// The sums over so many hinges, at least one.
+const LinkageMotion::Sums& LinkageMotion::climb(Chain& chain, int panel, int hinges) const {
+  if (chain.seen_at != look_) begin(chain, panel);
+  for (; static_cast<int>(chain.sums.size()) < hinges; chain.next = links_[chain.next].parent)
+    chain.climb(seen(chain.next), links_[panel].radius);
+  return chain.sums[hinges - 1];
+}
+
 // Seen from the panel, turns add up toward the frame: S_j^2 - S_(j-1)^2 = D_j (2 S_k - 2 T_j - D_j) with the turns T_j
-// between hinge j and the panel and S_k of the whole chain. So all frames share the sums along one climb.
+// between hinge j and the panel and S_k of the whole chain. So all frames share the sums along one climb. The
+// difference loses digits, at most as many as the chain has hinges times the rounding of its larger part.
+static double quarter(int hinges) { return 0.25 + 1e-15 * hinges; }
+
+LinkageMotion::View LinkageMotion::view(Chain& chain, int panel, int hinges) const {
+  if (hinges == 0) return {};
+  const Sums& sums = climb(chain, panel, hinges);
+  return {quarter(hinges) * sums.turn * sums.reach_turn - sums.less, sums.turn,
+          quarter(hinges) * sums.turn * sums.turn / 2 + sums.kink};
+}
+
+// Chains to the root of a large sheet would fill the memory, so what they come to is kept instead.
+const LinkageMotion::View& LinkageMotion::from_world(int anchor) const {
+  WorldView& world = world_views_[anchor];
+  if (world.seen_at == look_) return world.view;
+  begin(to_world_, anchor);
+  world = {view(to_world_, anchor, ancestry_.depth(anchor)), look_};
+  return world.view;
+}
+
 double LinkageMotion::bend(int panel, int frame) const {
-  const Link& moved = links_[panel];
-  // Frames share what was gathered, but chains to the root of large sheets would fill the memory.
-  const bool kept = frame >= 0 || keeps_all_;
-  Chain& chain = kept ? chains_[panel] : to_world_;
-  if (!kept || chain.seen_at != look_) {
-    chain.seen_at = look_;
-    chain.sums.clear();
-    chain.next = panel;
-    chain.travel = 0;
-    chain.straight = (moved.center - moved.pivot).norm() + moved.radius;
-    chain.center = (*at_start_)[panel] * moved.center;
-  }
-  const std::size_t length = ancestry_.depth(panel) - (frame < 0 ? 0 : ancestry_.depth(frame));
-  if (length == 0) return 0;
-  for (; chain.sums.size() < length; chain.next = links_[chain.next].parent)
-    chain.climb(seen(chain.next), moved.radius);
-  const Sums& sums = chain.sums[length - 1];
-  // The difference loses digits, at most as many as the chain has hinges times the rounding of its larger part.
-  return (0.25 + 1e-15 * static_cast<double>(length)) * sums.turn * sums.reach_turn - sums.less;
+  const int anchor = links_[panel].anchor, depth = ancestry_.depth(panel), near = depth - ancestry_.depth(anchor);
+  const int hinges = depth - (frame < 0 ? 0 : ancestry_.depth(frame));
+  if (frame < 0 && near == 0) return from_world(anchor).bend;
+  Chain& chain = chains_[panel];
+  if (near == 0 || (frame >= 0 && hinges < near + kHingesBetweenAnchors)) return view(chain, panel, hinges).bend;
+  // A point is no farther from the hinges beyond the anchor than the anchor's centre and its own distance from there.
+  const View beyond = frame < 0 ? from_world(anchor) : view(chains_[anchor], anchor, hinges - near);
+  const Sums& sums = climb(chain, panel, near);
+  const Vec3 center = (*at_start_)[anchor] * links_[anchor].center;
+  const double farther = (chain.center - center).norm() + links_[panel].radius - links_[anchor].radius + sums.travel;
+  return beyond.bend + beyond.weight * std::max(farther, 0.0) +
+         quarter(depth) * (beyond.turn + sums.turn) * sums.reach_turn - sums.less;
 }
 
 void LinkageMotion::want(int panel, std::vector<char>& wanted) const {

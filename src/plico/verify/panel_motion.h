@@ -46,7 +46,8 @@ void check_path(const Linkage& linkage, const FoldingPath& path);
 // kink (0 without a waypoint inside). A point x at the end of hinges i = 1..k that turn by D_i along their chords has
 // |x''| <= sum_i sum_j D_i D_j R_max(i,j) per interval squared, with R_i a bound on its distance from the axis of hinge
 // i, so it strays from its chord by at most an eighth of that, plus sum_i kink_i R_i. bend() is O(hinges on the
-// chain) the first time a panel is asked about on an interval, then O(1) for frames on that stretch.
+// chain) the first time a panel is asked about on an interval, then O(1) for frames on that stretch. From the world, a
+// panel takes its bound from that of its anchor, a panel a few hinges up: O(a sixteenth of the chain) on average.
 class LinkageMotion : public PanelMotion {
  public:
   // Both must outlive the motion. Throws InvalidInput when the path does not fit the linkage.
@@ -67,33 +68,48 @@ class LinkageMotion : public PanelMotion {
     double slip = 0;            // how far points move with the axis' change, when it is inside the interval
     double axes = 0;            // distance of the axes of a thick hinge
     double length = 0;          // from its hinge's pivot to its parent's
-    int parent = -1;
+    int parent = -1, anchor = -1;
     long seen_at = -1;
     Vec3 center = Vec3::Zero(), pivot = Vec3::Zero(), axis = Vec3::UnitX();  // flat: bounding sphere; point, direction
     double radius = 0;                                                       // of the sphere
   };
-  // Over the hinges from a panel up to one of them: of turn, of reach * turn, and what bend() takes off again.
+  // Over the hinges from a panel up to one of them: of turn, kink and reach * turn; what bend() takes off again; how
+  // far the panel travels.
   struct Sums {
-    double turn = 0, reach_turn = 0, less = 0;
+    double turn = 0, kink = 0, reach_turn = 0, less = 0, travel = 0;
   };
   // What one climb from a panel toward the root has gathered.
   struct Chain {
     std::vector<Sums> sums;  // one entry per hinge passed
     long seen_at = -1;
-    int next = -1;                    // panel whose hinge is passed next
-    double travel = 0, straight = 0;  // of the panel so far; from the next hinge to its farthest point, chain stretched
-    Vec3 center = Vec3::Zero();       // of the panel in the world at the start
+    int next = -1;               // panel whose hinge is passed next
+    double straight = 0;         // from the next hinge to the panel's farthest point, chain stretched
+    Vec3 center = Vec3::Zero();  // of the panel in the world at the start
     void climb(const Link& link, double radius);
+  };
+  // A panel seen from another one, or from the world.
+  struct View {
+    double bend = 0;
+    double turn = 0;    // over the hinges between them
+    double weight = 0;  // what the bend grows by when it reaches farther from all of them by 1
+  };
+  struct WorldView {
+    View view;
+    long seen_at = -1;
   };
   void configure(double time, Configuration& config) const;
   const Link& seen(int panel) const;
+  void begin(Chain& chain, int panel) const;
+  const Sums& climb(Chain& chain, int panel, int hinges) const;
+  View view(Chain& chain, int panel, int hinges) const;
+  const View& from_world(int anchor) const;
 
   const Linkage& linkage_;
   const FoldingPath& path_;
-  mutable std::vector<Link> links_;    // by panel
-  mutable std::vector<Chain> chains_;  // by panel
-  mutable Chain to_world_;
-  bool keeps_all_ = true;  // also the chains up to the root
+  mutable std::vector<Link> links_;             // by panel
+  mutable std::vector<Chain> chains_;           // by panel
+  mutable std::vector<WorldView> world_views_;  // by panel, of anchors
+  mutable Chain to_world_;                      // of one anchor
   Ancestry ancestry_;
   double rounding_ = 0;
   const std::vector<Pose>* at_start_ = nullptr;

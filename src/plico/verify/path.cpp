@@ -17,7 +17,7 @@ namespace {
 
 // Pairs that the boxes may leave over before an interval is halved instead. Boxes of long thin panels never come apart:
 // the more halvings were of no use, the more pairs are looked at one by one.
-constexpr std::size_t kPairsPerPlateAndHalving = 4;
+constexpr std::size_t kPairsPerPlateAndHalving = 2;
 constexpr int kMaxBulkHalvings = 12;  // time intervals of 1/4096 are short enough to look at pairs one by one
 
 struct PlatePair {
@@ -26,10 +26,40 @@ struct PlatePair {
   Vec3 direction;  // in that frame: separated the pair when last looked at
 };
 
+struct PlateBox {
+  Eigen::AlignedBox3d box;
+  int plate = -1;
+};
+
 // The side from which a pair came to touch, and until when it has.
 struct Contact {
   double until;
   Vec3 direction;
+};
+
+// Pairs of plates known to be apart for a while. Time only moves on, and what is known of a pair ends before more is.
+class KnownApart {
+ public:
+  explicit KnownApart(std::size_t num_plates) : known_(num_plates), row_(num_plates, -1) {}
+
+  void set(int a, int b, double until) {
+    known_[a].push_back({b, until});
+    known_[b].push_back({a, until});
+  }
+
+  // The plates that is_apart() answers for: those known to be apart from this one after `time`.
+  void look_at(int plate, double time) {
+    std::erase_if(known_[plate], [&](const std::pair<int, double>& known) { return known.second <= time; });
+    ++look_;
+    for (const auto& [other, until] : known_[plate]) row_[other] = look_;
+  }
+
+  bool is_apart(int other) const { return row_[other] == look_; }
+
+ private:
+  std::vector<std::vector<std::pair<int, double>>> known_;  // of each plate: another one, and until when
+  std::vector<long> row_;                                   // of each plate: the last look that found it
+  long look_ = 0;
 };
 
 class Proof {
@@ -40,9 +70,14 @@ class Proof {
     proof_.touch = options.touch > 0 ? options.touch : 1e-3 * proof_.clearance;
     proof_.rounding = 2 * motion.rounding();
     plates_ = proof_plates(linkage, proof_.clearance);
+    known_apart_ = KnownApart(plates_.corners.size());
     boxes_.resize(plates_.corners.size());
-    order_.resize(plates_.corners.size());
-    for (std::size_t i = 0; i < order_.size(); ++i) order_[i] = static_cast<int>(i);
+    centers_.reserve(plates_.corners.size());
+    for (const std::vector<Vec3>& corners : plates_.corners) {
+      Vec3 sum = Vec3::Zero();
+      for (const Vec3& corner : corners) sum += corner;
+      centers_.push_back(sum / static_cast<double>(corners.size()));
+    }
   }
 
   PathProof run() {
@@ -53,7 +88,8 @@ class Proof {
     end.resize(plates_.num_panels);
     motion_.place(0, {}, start);
     motion_.place(1, {}, end);
-    all_pairs(0, 1, start, end, 0);
+    std::vector<PlatePair> near;
+    all_pairs(0, 1, start, end, 0, near);
     if (proof_.verdict == PathVerdict::Free) proof_.free_until = 1;
     return proof_;
   }
@@ -75,19 +111,42 @@ class Proof {
     return true;
   }
 
-  // All pairs of plates on [start, end]: boxes dismiss most of them, or the interval is halved.
-  void all_pairs(double start, double end, const Poses& at_start, const Poses& at_end, int depth) {
+  // All pairs of plates on [start, end]: boxes dismiss most of them, or the interval is halved. Neighbours stay near
+  // for the whole motion and move little as they see each other: the pairs `near` each other just before are looked at
+  // first, so that few intervals are for them alone. Leaves in `near` those that were so on this interval.
+  void all_pairs(double start, double end, const Poses& at_start, const Poses& at_end, int depth,
+                 std::vector<PlatePair>& near) {
     if (done()) return interrupt(start);
     run_.report("proof", std::lround(1e4 * start), 10000);
     ++proof_.intervals;
     motion_.look_at(start, end, at_start);
+    const std::vector<PlatePair> apart = take_apart(near, end, at_start, at_end);
     std::vector<PlatePair> pairs;
-    const bool few = sweep_boxes(at_start, at_end, depth, pairs);
-    if (few) return settle_or_halve(start, end, at_start, at_end, std::move(pairs), depth);
-    halve(start, end, {}, depth, [&](double middle, const Poses& at_middle) {
-      all_pairs(start, middle, at_start, at_middle, depth + 1);
-      all_pairs(middle, end, at_middle, at_end, depth + 1);
+    if (sweep_boxes(start, at_start, at_end, depth, pairs)) {
+      near = pairs;
+      settle_or_halve(start, end, at_start, at_end, std::move(pairs), depth);
+    } else {
+      halve(start, end, {}, depth, [&](double middle, const Poses& at_middle) {
+        all_pairs(start, middle, at_start, at_middle, depth + 1, near);
+        all_pairs(middle, end, at_middle, at_end, depth + 1, near);
+      });
+    }
+    near.insert(near.end(), apart.begin(), apart.end());
+  }
+
+  // Those of the pairs that one look shows to be apart until `end`. The motion looks at an interval that ends there.
+  std::vector<PlatePair> take_apart(std::vector<PlatePair>& pairs, double end, const Poses& at_start,
+                                    const Poses& at_end) {
+    std::vector<PlatePair> apart;
+    std::erase_if(pairs, [&](PlatePair& pair) {
+      if (done() || contacts_.contains({pair.a, pair.b})) return false;
+      ++proof_.pair_intervals;
+      if (!clear(pair, stray_of(pair), at_start, at_end)) return false;
+      known_apart_.set(pair.a, pair.b, end);
+      apart.push_back(pair);
+      return true;
     });
+    return apart;
   }
 
   // These pairs on [start, end]; those that remain undecided on its halves.
@@ -129,12 +188,13 @@ class Proof {
   }
 
   // Boxes around the chords of all corners, grown by what they can stray. False when too many pairs are left.
-  bool sweep_boxes(const Poses& at_start, const Poses& at_end, int depth, std::vector<PlatePair>& pairs) {
+  bool sweep_boxes(double start, const Poses& at_start, const Poses& at_end, int depth, std::vector<PlatePair>& pairs) {
     const int n = static_cast<int>(boxes_.size());
     double stray = 0;
     for (int i = 0; i < n; ++i) {
       const int panel = plates_.panel[i];
-      Eigen::AlignedBox3d& box = boxes_[i];
+      boxes_[i].plate = i;
+      Eigen::AlignedBox3d& box = boxes_[i].box;
       box.setEmpty();
       for (const Vec3& corner : plates_.corners[i]) {
         box.extend(at_start[panel] * corner);
@@ -144,20 +204,22 @@ class Proof {
       box.min().array() -= stray;
       box.max().array() += stray;
     }
-    std::sort(order_.begin(), order_.end(), [&](int a, int b) {
-      return boxes_[a].min().x() < boxes_[b].min().x() || (boxes_[a].min().x() == boxes_[b].min().x() && a < b);
+    std::sort(boxes_.begin(), boxes_.end(), [](const PlateBox& a, const PlateBox& b) {
+      return a.box.min().x() < b.box.min().x() || (a.box.min().x() == b.box.min().x() && a.plate < b.plate);
     });
     const std::size_t most = depth < kMaxBulkHalvings ? kPairsPerPlateAndHalving * depth * n + 8 : pairs.max_size();
     for (int i = 0; i < n; ++i) {
-      const Eigen::AlignedBox3d& box = boxes_[order_[i]];
-      for (int j = i + 1; j < n && boxes_[order_[j]].min().x() <= box.max().x(); ++j) {
-        const Eigen::AlignedBox3d& other = boxes_[order_[j]];
+      const Eigen::AlignedBox3d& box = boxes_[i].box;
+      known_apart_.look_at(boxes_[i].plate, start);
+      for (int j = i + 1; j < n && boxes_[j].box.min().x() <= box.max().x(); ++j) {
+        const Eigen::AlignedBox3d& other = boxes_[j].box;
         // As numbers: four tests without a branch, for this is the inner loop.
         const int meet = int{other.min().y() <= box.max().y()} & int{box.min().y() <= other.max().y()} &
                          int{other.min().z() <= box.max().z()} & int{box.min().z() <= other.max().z()};
-        if (meet == 0 || !plates_.may_collide(order_[i], order_[j])) continue;
+        if (meet == 0 || known_apart_.is_apart(boxes_[j].plate)) continue;
+        const auto [a, b] = std::minmax(boxes_[i].plate, boxes_[j].plate);
+        if (!plates_.may_collide(a, b)) continue;
         if (pairs.size() >= most) return false;
-        const auto [a, b] = std::minmax(order_[i], order_[j]);
         pairs.push_back({a, b, motion_.frame_of(plates_.panel[a], plates_.panel[b]), Vec3::Zero()});
       }
     }
@@ -190,13 +252,29 @@ class Proof {
     return std::min(lead(a_start_, b_start_, direction), lead(a_end_, b_end_, direction));
   }
 
-  Vec3 between_centres() const {
-    Vec3 a = Vec3::Zero(), b = Vec3::Zero();
-    for (const Vec3& p : a_end_) a += p;
-    for (const Vec3& p : b_end_) b += p;
-    const Vec3 apart = a / static_cast<double>(a_end_.size()) - b / static_cast<double>(b_end_.size());
+  // From the centre of the second plate to that of the first, seen from the frame.
+  Vec3 between_centres(const PlatePair& pair, const Poses& poses) const {
+    const Vec3 apart =
+        poses[plates_.panel[pair.a]] * centers_[pair.a] - poses[plates_.panel[pair.b]] * centers_[pair.b];
     const double distance = apart.norm();
-    return distance > 0 ? Vec3(apart / distance) : Vec3(Vec3::Zero());
+    if (distance == 0) return Vec3::Zero();
+    return pair.frame < 0 ? Vec3(apart / distance) : Vec3(poses[pair.frame].linear().transpose() * (apart / distance));
+  }
+
+  // The least (or, with sign -1, minus the greatest) coordinate of a plate along a direction of the world: the
+  // direction is turned back into the flat state, which is cheaper than placing the corners.
+  double extreme(int plate, const Poses& poses, const Vec3& direction, double sign) const {
+    const Pose& pose = poses[plates_.panel[plate]];
+    const Vec3 flat = sign * (pose.linear().transpose() * direction);
+    double least = std::numeric_limits<double>::infinity();
+    for (const Vec3& corner : plates_.corners[plate]) least = std::min(least, flat.dot(corner));
+    return least + sign * pose.translation().dot(direction);
+  }
+
+  // lead() of the pair at one moment along its direction.
+  double lead_at(const PlatePair& pair, const Poses& poses) const {
+    const Vec3 direction = pair.frame < 0 ? pair.direction : Vec3(poses[pair.frame].linear() * pair.direction);
+    return extreme(pair.a, poses, direction, 1) + extreme(pair.b, poses, direction, -1);
   }
 
   static void middle(const std::vector<Vec3>& p, const std::vector<Vec3>& q, std::vector<Vec3>& result) {
@@ -204,16 +282,27 @@ class Proof {
     for (std::size_t i = 0; i < p.size(); ++i) result[i] = (p[i] + q[i]) / 2;
   }
 
+  // How far the two stray from their chords together.
+  double stray_of(const PlatePair& pair) const {
+    return motion_.bend(plates_.panel[pair.a], pair.frame) + motion_.bend(plates_.panel[pair.b], pair.frame) +
+           proof_.rounding;
+  }
+
+  // Does the direction from before, or else between the centres, separate the pair? A guess that settles most pairs at
+  // a tenth of the price of their true separation.
+  bool clear(PlatePair& pair, double stray, const Poses& at_start, const Poses& at_end) const {
+    if (pair.direction == Vec3::Zero()) pair.direction = between_centres(pair, at_end);
+    return pair.direction != Vec3::Zero() && lead_at(pair, at_start) > stray && lead_at(pair, at_end) > stray;
+  }
+
   // True when the pair needs no further look on [start, end].
   bool settle(PlatePair& pair, double start, double end, const Poses& at_start, const Poses& at_end) {
     ++proof_.pair_intervals;
+    const double stray = stray_of(pair);
+    const bool is_clear = clear(pair, stray, at_start, at_end);
+    if (is_clear && contacts_.empty()) return true;
     place(pair, at_start, at_end);
-    const double stray = motion_.bend(plates_.panel[pair.a], pair.frame) +
-                         motion_.bend(plates_.panel[pair.b], pair.frame) + proof_.rounding;
-    // A guess that settles most pairs at a tenth of the price of their true separation.
-    if (pair.direction == Vec3::Zero()) pair.direction = between_centres();
-    if (pair.direction != Vec3::Zero() && least_lead(pair.direction) > stray)
-      return same_side(pair, start, end, pair.direction, false);
+    if (is_clear) return same_side(pair, start, end, pair.direction, false);
     middle(a_start_, a_end_, a_middle_);
     middle(b_start_, b_end_, b_middle_);
     const Separation at_middle = separate(a_middle_, b_middle_);
@@ -236,7 +325,6 @@ class Proof {
   // Plates that come to touch from one side and go on on the other have passed through each other, however thin they
   // are: parallel ones never penetrate at any one moment. A contact keeps the side that it was entered from.
   bool same_side(const PlatePair& pair, double start, double end, const Vec3& direction, bool touching) {
-    if (!touching && contacts_.empty()) return true;
     const std::pair<int, int> key{pair.a, pair.b};
     const auto last = contacts_.find(key);
     const bool goes_on = last != contacts_.end() && last->second.until == start;
@@ -322,10 +410,11 @@ class Proof {
   const Run& run_;
   PathProof proof_;
   ProofPlates plates_;
-  std::vector<Eigen::AlignedBox3d> boxes_;
-  std::vector<int> order_;
+  std::vector<Vec3> centers_;    // of each plate in the flat state
+  std::vector<PlateBox> boxes_;  // along x
   std::deque<std::pair<Poses, Poses>> middles_;
   std::map<std::pair<int, int>, Contact> contacts_;
+  KnownApart known_apart_{0};
   std::vector<Vec3> a_start_, b_start_, a_end_, b_end_, a_middle_, b_middle_;
 };
 
