@@ -25,7 +25,7 @@ struct PictureOptions {
   std::vector<Vec3> room = {};  // points that must fit as well, after the turn
   // A motion of every panel after it is folded, to show pieces of a kit where they belong; empty: none.
   std::vector<Pose> home = {};
-  std::vector<Color> colors = {};  // of the fronts of panels; empty: all alike
+  std::vector<Color> colors = {};  // of the fronts of panels; empty: one a piece
 };
 
 // Panels seen in perspective: front and back in their own colours, creases and sides as lines, a soft shadow on the

@@ -10,6 +10,7 @@
 #include "plico/base/error.h"
 #include "plico/base/libm.h"
 #include "plico/io/motion/panel_solid.h"
+#include "plico/io/motion/piece_colors.h"
 #include "plico/io/motion/png.h"
 
 namespace plico {
@@ -407,7 +408,7 @@ Picture render(const Linkage& linkage, const Configuration& config, const Pictur
 
   Canvas canvas(options.width * kSamples, options.height * kSamples);
   const View view(options.camera, content, canvas.width(), canvas.height());
-  draw_panels(canvas, view, linkage, poses, options.colors);
+  draw_panels(canvas, view, linkage, poses, options.colors.empty() ? piece_colors(linkage) : options.colors);
   draw_joints(canvas, view, linkage, poses);
   draw_lines(canvas, view, linkage, poses);
   if (!options.transparent) {

@@ -8,6 +8,7 @@
 #include "plico/base/libm.h"
 #include "plico/geom/polygon.h"
 #include "plico/io/motion/panel_joints.h"
+#include "plico/io/motion/piece_colors.h"
 #include "plico/io/text/base64.h"
 
 namespace plico {
@@ -65,7 +66,8 @@ void add_ids(Json& data, const ViewerInput& input) {
     throw InvalidInput("viewer/ids", fmt::format("ids of {} panels for {}", input.side_ids.size(), n));
   data["sideIds"] = input.side_ids;
   data["partOf"] = input.part_of_panel;
-  for (const Color& color : input.colors) data["colors"].push_back(hex_text(color));
+  for (const Color& color : input.colors.empty() ? piece_colors(input.linkage) : input.colors)
+    data["colors"].push_back(hex_text(color));
 }
 
 // The moment at which everything is folded.

@@ -38,7 +38,7 @@ struct ViewerInput {
   // of each panel's part. Empty when there are no pages.
   std::vector<std::vector<std::string>> side_ids;
   std::vector<std::string> part_of_panel;
-  std::vector<Color> colors;  // of the fronts of panels; empty: all alike
+  std::vector<Color> colors;  // of the fronts of panels; empty: one a piece
 
   std::string report;                                         // one JSON object, shown as a table; empty for none
   std::vector<std::pair<std::string, std::string>> links;     // label and address of files beside the page

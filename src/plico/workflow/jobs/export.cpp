@@ -23,6 +23,7 @@
 #include "plico/io/motion/viewer.h"
 #include "plico/io/pattern/cp.h"
 #include "plico/io/pattern/fold.h"
+#include "plico/io/pattern/fold_colors.h"
 #include "plico/io/pattern/ori.h"
 #include "plico/io/pattern/svg_pattern.h"
 #include "plico/io/text/file.h"
@@ -160,6 +161,7 @@ PictureOptions picture_options(const ExportArgs& args, int usual_width) {
 std::string picture(const LoadedMotion& motion, const ExportArgs& args) {
   PictureOptions options = picture_options(args, 1200);
   options.turn = motion.stand.at(args.at);
+  options.colors = colors_of(motion.file);
   if (args.at == 1) options.home = motion.home;
   return render_png(motion.linkage, motion.path.at(args.at), options);
 }
@@ -193,6 +195,7 @@ std::string film(const LoadedMotion& motion, const ExportArgs& args, const Run& 
   const GifOptions pace;
   PictureOptions options = picture_options(args, 600);
   options.transparent = false;
+  options.colors = colors_of(motion.file);
   for (int i = 0; i <= kMoments; ++i) {
     const std::vector<Vec3> points = surface_at(motion, double(i) / kMoments).points;
     options.room.insert(options.room.end(), points.begin(), points.end());
@@ -245,6 +248,7 @@ std::string page(const LoadedMotion& motion, Session& session) {
   input.path = motion.path;
   input.stand = motion.stand;
   input.home = motion.home;
+  input.colors = colors_of(motion.file);
   input.motion = motion.file.path ? planner_of(motion.file) : "linear";
   input.report = motion.file.report;
   if (motion.chain) {
