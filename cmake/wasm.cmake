@@ -35,7 +35,7 @@ add_compile_options("SHELL:-include ${PROJECT_SOURCE_DIR}/apps/wasm/compat/compa
 
 # Half of the code runs once a click and not in a loop; compiled small it saves a fifth of the page.
 function(plico_compile_small target name)
-  if(name MATCHES "^(shapes|font|fabricate|project|io|workflow)(/|$)")
+  if(name MATCHES "^(shapes|convex|font|fabricate|project|io|workflow)(/|$)")
     target_compile_options(${target} PRIVATE -Oz)
   endif()
 endfunction()

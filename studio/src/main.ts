@@ -375,7 +375,10 @@ class Studio {
     const last = inlined ? undefined : await kept();
     const button = byId<HTMLButtonElement>('continue');
     button.hidden = !last;
-    button.addEventListener('click', () => last && void this.guarded(() => this.session.resume(last)));
+    button.addEventListener('click', () => last && void this.guarded(async () => {
+      await this.session.resume(last);
+      this.pagesPanel.resumed(last.places);
+    }));
     document.documentElement.dataset['ready'] = 'true';
   }
 }

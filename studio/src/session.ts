@@ -2,7 +2,7 @@
 import type { Core } from './core/client';
 import type { Edit, Inflated, InflateOptions, JobDescription, JobResult, JobValues, Model, Progress, Snapshot } from './core/protocol';
 import { History, type Step } from './history';
-import { keepEdits, keepProject, type Kept } from './store';
+import { keepEdits, keepPlaces, keepProject, type Kept, type Places } from './store';
 import { Shape } from './views/shape';
 
 const kSaveAfter = 100; // milliseconds without an edit
@@ -12,6 +12,7 @@ export class Session {
   readonly history = new History<Step>();
   shape?: Shape;
   busy = false; // with something long that can be stopped
+  private places: Places = new Map();
   private saved?: Kept & { edits: Edit[] }; // what a fresh worker needs to stand where we are
   private restoring = false; // a worker that ends at this is not given it again
   private timer = 0;
@@ -37,6 +38,7 @@ export class Session {
     return this.long(async () => {
       const { model, snapshot } = await this.core.call('open', [name, bytes], progress);
       this.history.clear();
+      this.places = new Map();
       this.begin(model, snapshot);
       void this.inOrder(() => this.save());
     });
@@ -108,13 +110,21 @@ export class Session {
     const project = await this.core.call('project', []);
     const kept = { name: `${this.shape.model.name}.plico`, project, id: Date.now() };
     this.saved = { ...kept, edits: [] };
-    this.write(() => keepProject(kept));
+    const { places } = this;
+    this.write(() => keepProject(kept, places));
   }
   private keepEdits(): void {
     if (!this.saved) return;
     const { id, edits } = this.saved;
     if (edits.length > kEditsAtMost) void this.inOrder(() => this.save());
     else this.write(() => keepEdits(id, [...edits]));
+  }
+  /** Where parts lie on their pages, which is no part of the document. */
+  keepPlaces(places: Places): void {
+    this.places = places;
+    if (!this.saved) return;
+    const { id } = this.saved;
+    this.write(() => keepPlaces(id, places));
   }
   /** In order among themselves; nothing else waits for the disk. */
   private write(work: () => Promise<boolean>): void {

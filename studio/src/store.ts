@@ -3,13 +3,24 @@
 // by `false` or `undefined`.
 import type { Edit } from './core/protocol';
 
-const kName = 'plico-studio', kStore = 'projects', kProject = 'current', kEdits = 'edits', kPattern = 'pattern';
+const kName = 'plico-studio', kStore = 'projects', kProject = 'current', kEdits = 'edits', kPattern = 'pattern', kPlaces = 'places';
 
 export interface Kept {
   name: string;
   project: Uint8Array;
-  id: number; // edits belong to the project of the same
+  id: number; // edits and places belong to the project of the same
 }
+
+/** One panel of a part on a page: its first corner in millimetres from the lower left, its first side's direction in degrees. */
+export interface Place {
+  panel: number;
+  page: number; // from 1
+  x: number;
+  y: number;
+  angle_deg: number;
+}
+/** Where parts lie, by their panels; a place is kept for a part of the same panels, whatever else becomes of the net. */
+export type Places = ReadonlyMap<string, Place & { byHand: boolean }>;
 
 let opened: Promise<IDBDatabase> | undefined;
 function database(): Promise<IDBDatabase> {
@@ -43,16 +54,23 @@ async function read<T>(key: string): Promise<T | undefined> {
   });
 }
 
-export const keepProject = (kept: Kept): Promise<boolean> => write({ [kProject]: kept, [kEdits]: { id: kept.id, edits: [] } });
+export const keepProject = (kept: Kept, places: Places): Promise<boolean> =>
+  write({ [kProject]: kept, [kEdits]: { id: kept.id, edits: [] }, [kPlaces]: { id: kept.id, places } });
 export const keepEdits = (id: number, edits: Edit[]): Promise<boolean> => write({ [kEdits]: { id, edits } });
+
+export const keepPlaces = (id: number, places: Places): Promise<boolean> => write({ [kPlaces]: { id, places } });
 
 export const keepPattern = (text: string): Promise<boolean> => write({ [kPattern]: text });
 export const keptPattern = (): Promise<string | undefined> => read<string>(kPattern).catch(() => undefined);
 
-export async function kept(): Promise<(Kept & { edits: Edit[] }) | undefined> {
+export async function kept(): Promise<(Kept & { edits: Edit[]; places: Places }) | undefined> {
   try {
-    const [project, since] = await Promise.all([read<Kept>(kProject), read<{ id: number; edits: Edit[] }>(kEdits)]);
-    return project && { ...project, edits: since?.id === project.id ? since.edits : [] };
+    const [project, since, where] = await Promise.all([
+      read<Kept>(kProject), read<{ id: number; edits: Edit[] }>(kEdits), read<{ id: number; places: Places }>(kPlaces),
+    ]);
+    return project && {
+      ...project, edits: since?.id === project.id ? since.edits : [], places: where?.id === project.id ? where.places : new Map(),
+    };
   } catch {
     return undefined;
   }

@@ -193,7 +193,6 @@ export async function partsArePlacedByHand(page) {
   await until(page, (d) => document.querySelector('.part path')?.getAttribute('d').slice(0, 24) === d, moved);
   await page.keyboard.press('Control+z');
   await until(page, (d) => document.querySelector('.part path')?.getAttribute('d').slice(0, 24) === d, before);
-  // By the pointer: 20 mm to the right.
   const at = await page.$eval('.part path', (path) => {
     const { x, y, width, height } = path.getBBox();
     for (let i = 1; i < 40; ++i)
@@ -205,6 +204,14 @@ export async function partsArePlacedByHand(page) {
       }
     return undefined;
   });
+  // By the wheel, once it is chosen.
+  await page.focus('.part');
+  await page.mouse.move(...at);
+  await page.mouse.wheel(0, 100);
+  await settled(before);
+  await page.keyboard.press('Control+z');
+  await until(page, (d) => document.querySelector('.part path')?.getAttribute('d').slice(0, 24) === d, before);
+  // By the pointer: 20 mm to the right.
   await page.mouse.move(...at);
   await page.mouse.down();
   await page.mouse.move(at[0] + 40, at[1], { steps: 4 });
@@ -212,6 +219,30 @@ export async function partsArePlacedByHand(page) {
   await settled(before);
   await page.click('#repack');
   await until(page, (d) => document.querySelector('.part path')?.getAttribute('d').slice(0, 24) === d, before);
+}
+
+/** A part that was sent to another page is there again when the page is opened anew. */
+export async function partsStayWhereTheyWerePut(page) {
+  const corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], sides = [[1, 3, 2], [1, 2, 4], [1, 4, 3], [2, 3, 4]];
+  const lines = [0, 1].flatMap((k) => [...corners.map(([x, y, z]) => `v ${x + 3 * k} ${y} ${z}`), ...sides.map((f) => `f ${f.map((v) => v + 4 * k).join(' ')}`)]);
+  await drop(page, 'two.obj', lines.join('\n'));
+  await until(page, () => document.getElementById('name').textContent === 'two');
+  await page.click('#tab-pages');
+  await page.fill('input[name=longest]', '60');
+  await page.click('#page-form .strong');
+  await until(page, () => [...document.querySelectorAll('.part')].filter((part) => part.getAttribute('aria-label').includes('page 1')).length === 2);
+  await page.focus('.part');
+  await page.keyboard.press('PageDown');
+  await until(page, () => [...document.querySelectorAll('.part')].some((part) => part.getAttribute('aria-label').includes('page 2, placed by hand')));
+  const before = (await places(page)).sort();
+  await page.waitForTimeout(500);
+  await page.reload();
+  await page.waitForSelector('html[data-ready=true]');
+  await page.click('#continue');
+  await until(page, () => document.getElementById('name').textContent === 'two');
+  await page.click('#tab-pages');
+  await until(page, () => document.querySelectorAll('.part').length === 2);
+  assert.deepEqual((await places(page)).sort(), before);
 }
 
 const kDotsPerMm = 100; // 2540 dots an inch
@@ -287,6 +318,7 @@ if (process.argv[1]?.endsWith('screens.mjs')) {
     await aShapeIsInflated(page);
     await partsArePlacedByHand(page);
     await aJobEndsInAHiddenTab(context, page);
+    await partsStayWhereTheyWerePut(page);
     await aHundredMillimetresAreAHundred(page);
     await page.setViewportSize({ width: 390, height: 844 });
     for (const tab of ['inflate', 'pattern', 'pages']) {

@@ -1,20 +1,11 @@
 // Where parts lie on their pages: what the core tells of it, what someone moved by hand, and the shapes to take hold of.
+import type { Place } from '../store';
 import type { Shape } from '../views/shape';
 
-/** One panel of a part on a page: its first corner in millimetres from the lower left, its first side's direction in degrees. */
-export interface Place {
-  panel: number;
-  page: number; // from 1
-  x: number;
-  y: number;
-  angle_deg: number;
-}
 export interface PartPlace extends Place {
   part: string;
   panels: number[];
 }
-/** A place is kept for a part of the same panels, whatever else becomes of the net. */
-export type Kept = ReadonlyMap<string, Place & { byHand: boolean }>;
 
 export const keyOf = ({ panels }: PartPlace): string => panels.join(' ');
 export const putOf = ({ panel, page, x, y, angle_deg }: Place): string => [panel, page, x, y, angle_deg].join(',');

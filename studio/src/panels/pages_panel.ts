@@ -2,7 +2,8 @@
 import type { JobResult, JobValues } from '../core/protocol';
 import { byId, download } from '../page';
 import type { Session } from '../session';
-import { keyOf, middleOf, polygonsOf, putOf, straightening, turned, type Kept, type PartPlace } from './page_parts';
+import type { Places } from '../store';
+import { keyOf, middleOf, polygonsOf, putOf, straightening, turned, type PartPlace } from './page_parts';
 import { PageView } from './page_view';
 
 type Guarded = (work: () => Promise<void>) => Promise<void>;
@@ -16,7 +17,7 @@ const kMove = 1, kLargeMove = 10; // millimetres
 export class PagesPanel {
   private fresh = false; // the pages shown are of the net as it is
   private views: PageView[] = [];
-  private kept: Kept = new Map();
+  private kept: Places = new Map();
   private parts: PartPlace[] = []; // as the pages shown have them
   private scale = 1; // millimetres per unit of the model
   private ownChange = false; // what was edited is where parts lie
@@ -52,7 +53,12 @@ export class PagesPanel {
     this.ownChange = false;
     this.fresh = false;
   }
-  private byHand(): Kept {
+  /** Where parts lay when the project was left. */
+  resumed(places: Places): void {
+    this.kept = places;
+    this.session.keepPlaces(places);
+  }
+  private byHand(): Places {
     return new Map([...this.kept].filter(([, { byHand }]) => byHand));
   }
   shown(): Promise<void> {
@@ -100,7 +106,7 @@ export class PagesPanel {
     return result.files;
   }
 
-  private layOut(kept: Kept = this.kept): Promise<void> {
+  private layOut(kept: Places = this.kept): Promise<void> {
     return this.guarded(async () => {
       this.kept = kept;
       const files = await this.pages('svg');
@@ -122,11 +128,12 @@ export class PagesPanel {
   // --- by hand
 
   /** One step that can be undone: from now on the parts lie like this. */
-  private async keep(name: string, kept: Kept): Promise<void> {
+  private async keep(name: string, kept: Places): Promise<void> {
     const before = this.kept;
-    const set = (to: Kept) => (): void => {
+    const set = (to: Places) => (): void => {
       this.kept = to;
       this.ownChange = true;
+      this.session.keepPlaces(to);
     };
     await this.session.own(name, set(kept), set(before));
   }
