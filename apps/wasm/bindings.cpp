@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "editor.h"
+#include "motion_player.h"
 #include "plico/base/error.h"
 #include "plico/base/version.h"
 #include "plico/inflate/explicit.h"
@@ -278,6 +279,26 @@ class EditorBinding {
   std::optional<ExplicitInflation> live_;  // of the editor's mesh
 };
 
+// A motion to look at. What failed leaves it as it was.
+class PlayerBinding {
+ public:
+  std::string open(const std::string& bytes, const std::string& name) {
+    return guarded([&] {
+      player_.emplace(bytes, name);
+      return json{{"faces", player_->offsets().size() - 1}, {"edges", player_->num_edges()}}.dump();
+    });
+  }
+  val offsets() const { return array_of("Int32Array", player_->offsets()); }
+  val corner_edges() const { return array_of("Int32Array", player_->corner_edges()); }
+  val flat_corners() const { return array_of("Float32Array", player_->flat_corners()); }
+  val corners_at(double time) const {  // none of nothing
+    return array_of("Float32Array", player_ ? player_->corners_at(time) : std::vector<float>());
+  }
+
+ private:
+  std::optional<MotionPlayer> player_;
+};
+
 }  // namespace
 }  // namespace plico
 
@@ -294,6 +315,14 @@ EMSCRIPTEN_BINDINGS(plico) {
       .function("remove", &Workspace::remove)
       .function("list", &Workspace::list)
       .function("run", &Workspace::run);
+  using Player = plico::PlayerBinding;
+  emscripten::class_<Player>("MotionPlayer")
+      .constructor<>()
+      .function("open", &Player::open)
+      .function("offsets", &Player::offsets)
+      .function("cornerEdges", &Player::corner_edges)
+      .function("flatCorners", &Player::flat_corners)
+      .function("cornersAt", &Player::corners_at);
   using Editor = plico::EditorBinding;
   emscripten::class_<Editor>("Editor")
       .constructor<>()

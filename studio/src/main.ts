@@ -4,6 +4,7 @@ import type { Edit, Progress } from './core/protocol';
 import { FoldPanel } from './panels/fold_panel';
 import { InflatePanel } from './panels/inflate_panel';
 import { JobsPanel } from './panels/jobs_panel';
+import { MotionView } from './panels/motion_view';
 import { PagesPanel } from './panels/pages_panel';
 import { PatternPanel } from './panels/pattern_panel';
 import { Session } from './session';
@@ -49,7 +50,8 @@ class Studio {
     this.sheet = new SheetView(byId('sheet'), colors.sheet, point, click);
     this.foldPanel = new FoldPanel(this.session, this.space, (work) => this.guarded(work), (p) => this.progress(p));
     this.pagesPanel = new PagesPanel(this.session, (work) => this.guarded(work));
-    this.jobsPanel = new JobsPanel(this.session, (work) => this.guarded(work), (p) => this.progress(p), (name, bytes) => this.openMade(name, bytes));
+    this.jobsPanel = new JobsPanel(this.session, (work) => this.guarded(work), (p) => this.progress(p), (name, bytes) => this.openMade(name, bytes),
+      () => (byId('no-space').hidden ? new MotionView(this.session, byId('painter').textContent!, colors.space) : undefined));
     this.inflatePanel = new InflatePanel(this.session, this.space, (work) => this.guarded(work), (p) => this.progress(p), (text) => this.say(text), (name, bytes) => this.openMade(name, bytes));
     this.patternPanel = new PatternPanel(this.session, (work) => this.guarded(work), (text) => this.say(text), (name, bytes, job) => this.toTools(name, bytes, job));
     this.listen();
@@ -338,13 +340,9 @@ class Studio {
     return true;
   }
   private spaceKey(event: KeyboardEvent): boolean {
-    const actions: Record<string, () => void> = {
-      ArrowLeft: () => this.space.turn(0.15, 0), ArrowRight: () => this.space.turn(-0.15, 0),
-      ArrowUp: () => this.space.turn(0, 0.15), ArrowDown: () => this.space.turn(0, -0.15),
-      '+': () => this.space.zoom(0.85), '-': () => this.space.zoom(1.18), f: () => this.foldPanel.frame(),
-    };
-    actions[event.key]?.();
-    return event.key in actions;
+    if (event.key !== 'f') return this.space.key(event);
+    this.foldPanel.frame();
+    return true;
   }
   private sheetKey(event: KeyboardEvent): boolean {
     const { shape } = this.session;

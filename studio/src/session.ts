@@ -15,6 +15,7 @@ export class Session {
   private places: Places = new Map();
   private saved?: Kept & { edits: Edit[] }; // what a fresh worker needs to stand where we are
   private restoring = false; // a worker that ends at this is not given it again
+  private played?: { name: string; bytes: Uint8Array };
   private timer = 0;
   private writing: Promise<unknown> = Promise.resolve();
   private queue: Promise<unknown> = Promise.resolve();
@@ -146,10 +147,11 @@ export class Session {
     if (this.busy) this.core.restart();
   }
   private async restore(): Promise<void> {
-    if (!this.saved || this.restoring) return;
+    if (this.restoring) return;
     this.restoring = true;
     try {
-      await this.replay(this.saved);
+      if (this.saved) await this.replay(this.saved);
+      if (this.played) await this.core.call('play', [this.played.name, this.played.bytes]);
     } finally {
       this.restoring = false;
     }
@@ -169,6 +171,14 @@ export class Session {
   }
   fold(time: number): Promise<Float32Array> {
     return this.core.call('fold', [time]);
+  }
+  /** A file that folds, to be looked at beside the document. */
+  play(name: string, bytes: Uint8Array): Promise<{ model: Model; snapshot: Snapshot }> {
+    this.played = { name, bytes };
+    return this.inOrder(() => this.core.call('play', [name, bytes]));
+  }
+  playAt(time: number): Promise<Float32Array> {
+    return this.core.call('playAt', [time]);
   }
   net(): Promise<Uint8Array> {
     return this.core.call('net', []);

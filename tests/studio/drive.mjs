@@ -98,8 +98,11 @@ async function theToolsDoTheirJobs(page) {
   await page.selectOption('#job-form select', 'waterbomb');
   assert.match(await page.textContent('#job-command'), /waterbomb/);
   await page.click('#job-run');
-  await page.waitForSelector('#job-result img', { timeout: 60000 });
+  await page.waitForSelector('#job-result canvas', { timeout: 60000 });
   assert.match(await page.textContent('#job-result'), /waterbomb.fold/);
+  await until(page, () => document.querySelector('#job-result .motion span').textContent === '60 %');
+  await page.click('#job-result .motion button');
+  await until(page, () => document.querySelector('#job-result .motion span').textContent === '100 %');
   await picture(page, 'tools-pattern');
   await page.click('button[data-job=check]');
   await page.click('#job-run');

@@ -85,6 +85,8 @@ export interface Calls {
   arrange(): Snapshot;
   motion(plan: boolean): MotionVerdict;
   fold(time: number): Float32Array;
+  play(name: string, bytes: Uint8Array): { model: Model; snapshot: Snapshot }; // FOLD
+  playAt(time: number): Float32Array;
   project(): Uint8Array;
   mesh(): Uint8Array; // OBJ
   inflateBegin(options: InflateOptions): Inflated;

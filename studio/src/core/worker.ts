@@ -13,9 +13,13 @@ function parsed<T>(text: string): T {
   return value;
 }
 
+// Of what is only looked at.
+const kNoVerdict: Verdict = { valid: true, parts: 0, overlaps: 0, pairs: [], defects: [] };
+
 function start(plico: any, report: (phase: string, done: number, total: number, note: string) => void): Calls {
   let editor = new plico.Editor();
   let isOpen = false;
+  const player = new plico.MotionPlayer();
   const snapshot = (verdict: Verdict): Snapshot => ({
     flat: editor.flatCorners(), folds: editor.folds(), locks: editor.locks(), parts: editor.parts(), verdict,
   });
@@ -53,6 +57,14 @@ function start(plico: any, report: (phase: string, done: number, total: number, 
     },
     motion: (plan) => parsed(editor.motion(plan, report)),
     fold: (time) => editor.foldedCorners(time),
+    play(name, bytes) {
+      const facts = parsed<{ faces: number; edges: number }>(player.open(bytes, name));
+      const offsets: Int32Array = player.offsets(), cornerEdges: Int32Array = player.cornerEdges(), flat: Float32Array = player.flatCorners();
+      const tables = tablesOf(facts.edges, offsets, cornerEdges, flat), folds = Uint8Array.from({ length: facts.edges }, (_, e) => Number(tables.edgeCorners[2 * e + 1]! >= 0));
+      const model = { ...facts, name, vertices: 0, notes: [], offsets, cornerEdges, corners: player.cornersAt(0), vertexOf: new Int32Array(cornerEdges.length), tables };
+      return { model, snapshot: { flat, folds, locks: new Uint8Array(facts.edges), parts: new Int32Array(facts.faces), verdict: kNoVerdict } };
+    },
+    playAt: (time) => player.cornersAt(time),
     project: () => editor.projectBytes(),
     mesh: () => editor.meshBytes(),
     inflateBegin: (options) => inflated(editor.inflateBegin(JSON.stringify(options))),
@@ -72,7 +84,7 @@ function start(plico: any, report: (phase: string, done: number, total: number, 
       }
     },
   };
-  const needsNone = new Set<keyof Calls>(['open', 'jobs', 'job']);
+  const needsNone = new Set<keyof Calls>(['open', 'jobs', 'job', 'play', 'playAt']);
   return new Proxy(calls, {
     get(all, name: keyof Calls) {
       if (!isOpen && name in all && !needsNone.has(name)) throw refused({ code: 'studio/nothing-open', message: 'nothing is open', where: '', suggestion: 'open a file' });

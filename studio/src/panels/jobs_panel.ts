@@ -3,6 +3,7 @@ import type { JobDescription, JobResult, JobValues, Progress } from '../core/pro
 import { byId, download } from '../page';
 import type { Session } from '../session';
 import { JobForm, kindOf } from './job_form';
+import type { MotionView } from './motion_view';
 
 type Guarded = (work: () => Promise<void>) => Promise<void>;
 
@@ -53,10 +54,11 @@ export class JobsPanel {
   private readonly lists = new Map<string, { name: string; description: string }[]>();
   private urls: string[] = [];
   private chosen = 0;
+  private motion?: MotionView;
 
   constructor(
     private readonly session: Session, private readonly guarded: Guarded, private readonly progress: (p: Progress) => void,
-    private readonly openModel: (name: string, bytes: Uint8Array) => Promise<void>,
+    private readonly openModel: (name: string, bytes: Uint8Array) => Promise<void>, private readonly makeView: () => MotionView | undefined,
   ) {
     const form = byId<HTMLFormElement>('job-form');
     form.addEventListener('submit', (event) => {
@@ -195,8 +197,14 @@ export class JobsPanel {
     return image;
   }
 
-  /** A picture of what was made, and a slider that folds it. */
+  /** What was made as it folds; pictures of it where nothing can be drawn in space. */
   private async offerMotion(place: HTMLElement, name: string, bytes: Uint8Array): Promise<void> {
+    const view = (this.motion ??= this.makeView());
+    if (!view) return this.offerPictures(place, name, bytes);
+    place.append(view.element);
+    await view.show(name, bytes).catch(() => view.element.remove()); // without panels to draw: what it is was told above
+  }
+  private async offerPictures(place: HTMLElement, name: string, bytes: Uint8Array): Promise<void> {
     const slider = document.createElement('input');
     Object.assign(slider, { type: 'range', min: '0', max: '1', step: '0.05', value: '0.6' });
     slider.setAttribute('aria-label', 'Folded');

@@ -186,6 +186,16 @@ export class SpaceView {
     this.redraw();
   }
 
+  /** Arrows turn it, plus and minus zoom. */
+  key({ key }: KeyboardEvent): boolean {
+    const actions: Record<string, () => void> = {
+      ArrowLeft: () => this.turn(0.15, 0), ArrowRight: () => this.turn(-0.15, 0), ArrowUp: () => this.turn(0, 0.15), ArrowDown: () => this.turn(0, -0.15),
+      '+': () => this.zoom(0.85), '-': () => this.zoom(1.18),
+    };
+    actions[key]?.();
+    return key in actions;
+  }
+
   private camera(): { eye: Vec; right: Vec; up: Vec; toward: Vec; focal: number; aspect: number } {
     const c = Math.cos(this.elevation);
     const from: Vec = [c * Math.sin(this.azimuth), -c * Math.cos(this.azimuth), Math.sin(this.elevation)];
