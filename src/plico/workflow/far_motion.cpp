@@ -157,19 +157,23 @@ Motion shown_part(const Linkage& linkage, const Motion& motion) {
 }
 
 // Straight, then letting creases turn against their goal on the way, then from states that creases were pulled to.
+// `hurried` becomes true where time ended one of these.
 ContinuationResult search_far(const Linkage& linkage, const FoldingPath& begun, ApproachOptions approach, bool may_pull,
-                              const Run& run) {
+                              const Run& run, bool& hurried) {
   ContinuationResult found = approach_goal(linkage, begun, approach, share_of_time(run, kFirstSearchTime));
+  hurried = found.ending == Ending::TimedOut;
   const ApproachOptions straight = approach;
   const bool starts_flat = begun.waypoints.size() < 2;
   if (starts_flat && found.ending != Ending::Found && found.progress < kNearFlat && !run.over()) {
     approach.keep_sides = false;
     ContinuationResult free = approach_goal(linkage, begun, approach, share_of_time(run, kFirstSearchTime));
+    hurried = hurried || free.ending == Ending::TimedOut;
     if (free.progress > found.progress) found = std::move(free);
   }
   if (!may_pull || !starts_flat || found.progress > kPulledBelow) return found;
   start_otherwise(linkage, straight, run, found);
   if (found.progress < kFewWays) start_otherwise(linkage, approach, run, found);
+  hurried = hurried || run.over();
   return found;
 }
 
@@ -208,14 +212,15 @@ FarMotion go_on(const Linkage& linkage, const FoldingPath& begun, const MotionOp
   ApproachOptions approach;
   approach.frames = options.waypoints;
   approach.collision.clearance = clearance;
-  ContinuationResult found = search_far(linkage, begun, approach, may_pull, share_of_time(run, kSearchTime));
   FarMotion result;
+  ContinuationResult found =
+      search_far(linkage, begun, approach, may_pull, share_of_time(run, kSearchTime), result.timed_out);
   if (found.path.waypoints.size() > 1 && found.progress > least) {
     std::vector<PanelPair> met;
     result.motion = prove_as_far(linkage, found.path, MotionMethod::Continuation, clearance, run, &met);
     go_round(linkage, approach, clearance, run, met, found, result.motion);
   }
-  result.timed_out = run.over() || found.ending == Ending::TimedOut;
+  result.timed_out = result.timed_out || run.over() || found.ending == Ending::TimedOut;
   if (result.motion.path.waypoints.size() > 1 && result.motion.proof.verdict == PathVerdict::Free) {
     const Configuration& end = result.motion.path.waypoints.back().config;
     result.share = share_of_way(linkage, end);
@@ -308,6 +313,21 @@ FarMotion go_open(const Linkage& linkage, const CreasePattern& sheet, const Moti
   return result;
 }
 
+// Whole, or cut by flat creases where that leads farther.
+FarMotion go_with_panels(const Linkage& linkage, const CreasePattern* sheet, const FoldingPath& begun,
+                         const MotionOptions& options, const Run& run) {
+  const bool may_cut = sheet && options.facets != FacetPolicy::None;
+  if (may_cut && options.facets == FacetPolicy::All) return go_on_in_facets(*sheet, options, run);
+  // Whole panels that are locked will be cut; pulling them first is time lost.
+  const bool will_cut =
+      may_cut && std::any_of(sheet->faces.begin(), sheet->faces.end(), [](const auto& f) { return f.size() > 3; });
+  FarMotion whole = go_on(linkage, begun, options, !will_cut, 0, may_cut ? share_of_time(run, kWholeTime) : run);
+  if (!may_cut || whole.share >= kFarEnough || run.over()) return whole;
+  FarMotion cut = go_on_in_facets(*sheet, options, run);
+  cut.timed_out = whole.timed_out = cut.timed_out || whole.timed_out;
+  return cut.share > whole.share + kWorthCutting ? cut : whole;
+}
+
 }  // namespace
 
 Run share_of_time(const Run& run, double share) {
@@ -355,16 +375,10 @@ FarMotion go_deformed(const Linkage& linkage, const CreasePattern& sheet, const 
 
 FarMotion go_as_far(const Linkage& linkage, const CreasePattern* sheet, const FoldingPath& begun,
                     const MotionOptions& options, const Run& run) {
-  const bool may_cut = sheet && options.facets != FacetPolicy::None;
-  if (may_cut && options.facets == FacetPolicy::All) return go_on_in_facets(*sheet, options, run);
-  // Whole panels that are locked will be cut; pulling them first is time lost.
-  const bool will_cut =
-      may_cut && std::any_of(sheet->faces.begin(), sheet->faces.end(), [](const auto& f) { return f.size() > 3; });
-  FarMotion whole = go_on(linkage, begun, options, !will_cut, 0, may_cut ? share_of_time(run, kWholeTime) : run);
-  if (!may_cut || whole.share >= kFarEnough || run.over()) return whole;
-  FarMotion cut = go_on_in_facets(*sheet, options, run);
-  cut.timed_out = whole.timed_out = cut.timed_out || whole.timed_out;
-  return cut.share > whole.share + kWorthCutting ? cut : whole;
+  FarMotion far = go_with_panels(linkage, sheet, begun, options, run);
+  if (far.timed_out && !far.reached && far.motion.path.waypoints.size() > 1)
+    far.notes.emplace_back("the time limit cut the search short: more time may lead farther");
+  return far;
 }
 
 }  // namespace plico
