@@ -26,7 +26,8 @@ Walk walk_around(const RealVertex& loop, const Configuration& config, Visit visi
     visit(k, axis, point);
     const Eigen::Quaterniond turn = quaternion(axis, config[loop.hinges[k]]);
     // Of unit length: the axes come from it, and around dozens of creases rounding would double at each.
-    walk.turn = (turn * walk.turn).normalized();
+    walk.turn = turn * walk.turn;
+    walk.turn.coeffs() *= 1.5 - 0.5 * walk.turn.squaredNorm();
     if (shifts) walk.shift = point + turn * (walk.shift - point);
   }
   return walk;
