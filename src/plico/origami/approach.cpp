@@ -16,6 +16,7 @@ constexpr double kFirstMove = 0.03;  // of the goal: the step that leaves flat
 constexpr int kContactRounds = 8;    // in which one step may meet more panels
 constexpr int kSweeps = 200;         // of Gauss-Seidel
 constexpr double kNoPush = 1e-14;    // of the largest push
+constexpr int kMostSteps = 20;       // of a projection once flat is left: what needs more will not be near
 constexpr double kLeastTurn = 1e-5;  // radians: a first step that turns less has not left flat
 
 void check(const ApproachOptions& o) {
@@ -58,6 +59,7 @@ class Approach {
       result.path.waypoints = {{0, flat(linkage_)}};
       if (!leave_flat(result)) return finish(result);
     }
+    projection_.max_steps = kMostSteps;
     while (distance(end(result)) > 0) {
       if (run_.over()) {
         result.ending = run_.ending();
@@ -78,6 +80,7 @@ class Approach {
     projection_.low[h] = options_.keep_sides && hinge.target > 0 ? std::max(0.0, hinge.low) : hinge.low;
     projection_.high[h] = options_.keep_sides && hinge.target < 0 ? std::min(0.0, hinge.high) : hinge.high;
     projection_.weight[h] = hinge.target == 0 ? options_.facet_weight : 1;
+    if (options_.emphasis.size() > 0) projection_.weight[h] *= options_.emphasis[h];
   }
 
   static const Configuration& end(const ContinuationResult& result) { return result.path.waypoints.back().config; }

@@ -17,6 +17,7 @@ struct ApproachOptions {
   bool check_collisions = true;
   CollisionOptions collision = {};
   std::function<bool(const Configuration&)> accepts = {};  // what else a waypoint must satisfy
+  Configuration emphasis = {};  // of each crease, above 0, or empty for 1: its distance to the goal counts so much
   std::vector<PanelPair> watched = {};  // kept apart wherever they are near each other, also before they collide
 };
 

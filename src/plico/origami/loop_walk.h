@@ -25,7 +25,9 @@ Walk walk_around(const RealVertex& loop, const Configuration& config, Visit visi
         shifts ? Vec3(walk.turn * Vec3(loop.points[k].x(), loop.points[k].y(), 0) + walk.shift) : Vec3(Vec3::Zero());
     visit(k, axis, point);
     const Eigen::Quaterniond turn = quaternion(axis, config[loop.hinges[k]]);
+    // Of unit length: the axes come from it, and around dozens of creases rounding would double at each.
     walk.turn = turn * walk.turn;
+    walk.turn.coeffs() *= 1.5 - 0.5 * walk.turn.squaredNorm();
     if (shifts) walk.shift = point + turn * (walk.shift - point);
   }
   return walk;

@@ -4,10 +4,12 @@
 #include <chrono>
 #include <cmath>
 
+#include "plico/base/rng.h"
 #include "plico/origami/approach.h"
 #include "plico/origami/closure.h"
 #include "plico/origami/elastic_start.h"
 #include "plico/origami/facets.h"
+#include "plico/origami/orders.h"
 #include "plico/verify/deformation.h"
 #include "plico/verify/sheet_motion.h"
 #include "plico/workflow/plan_origami.h"
@@ -33,9 +35,15 @@ constexpr int kMostCutDrawn = 400;          // the same: then drawn ones
 constexpr int kDraws = 6, kMostDraws = 16;  // of diagonals
 constexpr int kMostCutInAll = 640;     // creases and cuts of all draws together, where that allows more than the least
 constexpr double kFirstCutTime = 0.5;  // of what is left, for the shortest diagonals when others come next
-constexpr int kGoRounds = 8;           // of panels that the proof met
-constexpr double kCloses = 1e-9;       // radians: of waypoints that are not open on purpose
-constexpr double kOpenToBegin[] = {1.0, 0.25};  // radians over the deformation, by which loops may be open
+constexpr int kMostOrders = 96, kMostOrdersInAll = 60'000;  // draws, and creases of all of them together
+constexpr int kPatience = 24;                               // draws without a gain that is worth a proof
+constexpr double kOrdersTime = 0.8;                         // of what is left: the rest is for the last proof
+constexpr double kWorthProving = 0.005, kLeastGain = 1e-4;  // of the way, at once and at the end
+constexpr int kMostWaypoints = 1000;                        // beyond those of the way so far
+constexpr std::uint64_t kOrders = 7;                        // stream of the seed
+constexpr int kGoRounds = 8;                                // of panels that the proof met
+constexpr double kCloses = 1e-9;                            // radians: of waypoints that are not open on purpose
+constexpr double kOpenToBegin[] = {1.0, 0.25};              // radians over the deformation, by which loops may be open
 constexpr double kShort = radians(0.5);
 constexpr double kBends = 1e-9;  // radians
 constexpr int kMostNamed = 3;
@@ -157,19 +165,23 @@ Motion shown_part(const Linkage& linkage, const Motion& motion) {
 }
 
 // Straight, then letting creases turn against their goal on the way, then from states that creases were pulled to.
+// `hurried` becomes true where time ended one of these.
 ContinuationResult search_far(const Linkage& linkage, const FoldingPath& begun, ApproachOptions approach, bool may_pull,
-                              const Run& run) {
+                              const Run& run, bool& hurried) {
   ContinuationResult found = approach_goal(linkage, begun, approach, share_of_time(run, kFirstSearchTime));
+  hurried = found.ending == Ending::TimedOut;
   const ApproachOptions straight = approach;
   const bool starts_flat = begun.waypoints.size() < 2;
   if (starts_flat && found.ending != Ending::Found && found.progress < kNearFlat && !run.over()) {
     approach.keep_sides = false;
     ContinuationResult free = approach_goal(linkage, begun, approach, share_of_time(run, kFirstSearchTime));
+    hurried = hurried || free.ending == Ending::TimedOut;
     if (free.progress > found.progress) found = std::move(free);
   }
   if (!may_pull || !starts_flat || found.progress > kPulledBelow) return found;
   start_otherwise(linkage, straight, run, found);
   if (found.progress < kFewWays) start_otherwise(linkage, approach, run, found);
+  hurried = hurried || run.over();
   return found;
 }
 
@@ -201,62 +213,127 @@ void go_round(const Linkage& linkage, ApproachOptions approach, double clearance
   }
 }
 
-// A search that comes no farther than `least` is not worth its proof: then there is no motion.
-FarMotion go_on(const Linkage& linkage, const FoldingPath& begun, const MotionOptions& options, bool may_pull,
-                double least, const Run& run) {
-  const double clearance = options.clearance > 0 ? options.clearance : default_clearance(linkage);
-  ApproachOptions approach;
-  approach.frames = options.waypoints;
-  approach.collision.clearance = clearance;
-  ContinuationResult found = search_far(linkage, begun, approach, may_pull, share_of_time(run, kSearchTime));
+// What was found and proven, told.
+FarMotion judged(const Linkage& linkage, const ContinuationResult& found, Motion motion) {
   FarMotion result;
-  if (found.path.waypoints.size() > 1 && found.progress > least) {
-    std::vector<PanelPair> met;
-    result.motion = prove_as_far(linkage, found.path, MotionMethod::Continuation, clearance, run, &met);
-    go_round(linkage, approach, clearance, run, met, found, result.motion);
-  }
-  result.timed_out = run.over() || found.ending == Ending::TimedOut;
-  if (result.motion.path.waypoints.size() > 1 && result.motion.proof.verdict == PathVerdict::Free) {
-    const Configuration& end = result.motion.path.waypoints.back().config;
-    result.share = share_of_way(linkage, end);
-    result.reached = found.ending == Ending::Found && end == found.path.waypoints.back().config;
-    if (result.reached) return result;
-    result.notes.push_back(fmt::format("{}; {}", why(linkage, found, result.motion), short_creases(linkage, end)));
-  } else {
+  result.motion = std::move(motion);
+  if (result.motion.path.waypoints.size() < 2 || result.motion.proof.verdict != PathVerdict::Free) {
     result.notes.push_back(why(linkage, found, result.motion));
+    return result;
   }
+  const Configuration& end = result.motion.path.waypoints.back().config;
+  result.share = share_of_way(linkage, end);
+  result.reached = found.ending == Ending::Found && end == found.path.waypoints.back().config;
+  if (!result.reached)
+    result.notes.push_back(fmt::format("{}; {}", why(linkage, found, result.motion), short_creases(linkage, end)));
   return result;
 }
 
-FarMotion go_on_in(const Facets& facets, const CreasePattern& sheet, const MotionOptions& options, double least,
-                   const Run& run) {
-  FarMotion result = go_on(make_linkage(facets.sheet), {}, options, true, least, run);
-  if (result.motion.path.waypoints.empty()) return result;
-  result.bends = bends_of(facets, sheet.num_faces(), result.motion.path);
-  result.notes.push_back(bends_note(result.bends));
-  result.sheet = facets.sheet;
+ApproachOptions approach_of(const Linkage& linkage, const MotionOptions& options) {
+  ApproachOptions approach;
+  approach.frames = options.waypoints;
+  approach.collision.clearance = options.clearance > 0 ? options.clearance : default_clearance(linkage);
+  return approach;
+}
+
+// A search that comes no farther than `least` is not worth its proof: then there is no motion.
+FarMotion go_on(const Linkage& linkage, const FoldingPath& begun, const MotionOptions& options, bool may_pull,
+                double least, const Run& run) {
+  const ApproachOptions approach = approach_of(linkage, options);
+  const double clearance = approach.collision.clearance;
+  bool hurried = false;
+  ContinuationResult found = search_far(linkage, begun, approach, may_pull, share_of_time(run, kSearchTime), hurried);
+  Motion motion;
+  if (found.path.waypoints.size() > 1 && found.progress > least) {
+    std::vector<PanelPair> met;
+    motion = prove_as_far(linkage, found.path, MotionMethod::Continuation, clearance, run, &met);
+    go_round(linkage, approach, clearance, run, met, found, motion);
+  }
+  FarMotion result = judged(linkage, found, std::move(motion));
+  result.timed_out = hurried || run.over() || found.ending == Ending::TimedOut;
   return result;
 }
+
+// Another way, proven as far as it goes; what of it is not is left off. The farther of both is `far`.
+void prove_other(const Linkage& linkage, double clearance, const Run& run, ContinuationResult& way, FarMotion& far) {
+  FarMotion proven = judged(linkage, way, prove_as_far(linkage, way.path, MotionMethod::Continuation, clearance, run));
+  if (proven.share < way.progress) {
+    way.path = proven.motion.path;
+    way.progress = proven.share;
+  }
+  proven.timed_out = far.timed_out;
+  if (proven.share > far.share) far = std::move(proven);
+}
+
+// From states on the way so far, with creases drawn to fold before others. In turns with a second way, which begins
+// again where it stands still: what came farthest at first may be where no way goes on.
+void go_in_other_orders(const Linkage& linkage, const MotionOptions& options, const Run& run, FarMotion& far) {
+  if (far.motion.path.waypoints.size() < 2) return;
+  ApproachOptions approach = approach_of(linkage, options);
+  const double clearance = approach.collision.clearance;
+  const int draws = std::min(kMostOrders, kMostOrdersInAll / std::max(1, linkage.num_hinges()));
+  const Rng rng = Rng(options.seed).stream(kOrders);
+  const Run searching = share_of_time(run, kOrdersTime);
+  ContinuationResult ways[2];
+  ways[0].path = far.motion.path;
+  ways[0].progress = far.share;
+  int last_gain = 0;  // of the second way
+  for (int i = 0; i < draws && !far.reached && !searching.over(); ++i) {
+    ContinuationResult& way = ways[i % 2];
+    if (i % 2 == 1 && i - last_gain > kPatience) way = {}, last_gain = i;
+    const std::size_t length = way.path.waypoints.size();
+    approach.keep_sides = length < 2 || on_its_sides(linkage, way.path.waypoints.back().config);
+    approach.max_waypoints = kMostWaypoints + static_cast<int>(length);
+    ContinuationResult found =
+        approach_in_drawn_order(linkage, way.path, approach, rng.stream(i), share_of_time(searching, kSearchTime));
+    far.timed_out = far.timed_out || searching.over() || found.ending == Ending::TimedOut;
+    if (found.path.waypoints.size() < 2 || found.progress <= way.progress) continue;
+    if (i % 2 == 1 && found.progress >= way.progress + kWorthProving) last_gain = i;
+    way = std::move(found);
+    if (way.progress >= far.share + kWorthProving || way.ending == Ending::Found)
+      prove_other(linkage, clearance, run, way, far);
+  }
+  for (ContinuationResult& way : ways)
+    if (!far.reached && way.progress >= far.share + kLeastGain) prove_other(linkage, clearance, run, way, far);
+}
+
+// A sheet whose panels are cut, and its motion.
+struct CutMotion {
+  Facets facets;
+  FarMotion far;
+};
 
 bool same_cuts(const Facets& a, const Facets& b) { return a.sheet.faces == b.sheet.faces; }
 
 // The shortest diagonals first; where they do not lead to the goal the longest, and then some that are drawn: which of
 // them open the way shows only when it is gone. The farthest of them.
-FarMotion go_on_in_facets(const CreasePattern& sheet, const MotionOptions& options, const Run& run) {
-  const Facets shortest = cut_into_facets(sheet);
-  const int creases = make_linkage(shortest.sheet).num_hinges();
+CutMotion go_on_in_facets(const CreasePattern& sheet, const MotionOptions& options, const Run& run) {
+  CutMotion best{cut_into_facets(sheet), {}};
+  const Facets shortest = best.facets;
+  const Linkage linkage = make_linkage(shortest.sheet);
+  const int creases = linkage.num_hinges();
   const int draws = std::clamp(kMostCutInAll / std::max(1, creases), kDraws, kMostDraws);
   const int tries = creases > kMostCutLong ? 0 : creases > kMostCutDrawn ? 1 : 1 + draws;
-  FarMotion best = go_on_in(shortest, sheet, options, 0, tries > 0 ? share_of_time(run, kFirstCutTime) : run);
-  for (int i = 0; i < tries && best.share < kFarEnough && !run.over(); ++i) {
-    const Facets other = cut_into_facets(sheet, i == 0 ? CutChoice::Long : CutChoice::Drawn, options.seed + i);
+  best.far = go_on(linkage, {}, options, true, 0, tries > 0 ? share_of_time(run, kFirstCutTime) : run);
+  for (int i = 0; i < tries && best.far.share < kFarEnough && !run.over(); ++i) {
+    Facets other = cut_into_facets(sheet, i == 0 ? CutChoice::Long : CutChoice::Drawn, options.seed + i);
     if (same_cuts(other, shortest)) continue;
-    const double least = best.share + kWorthCutting;
-    FarMotion found = go_on_in(other, sheet, options, least, share_of_time(run, 1.0 / (tries - i)));
-    found.timed_out = best.timed_out = best.timed_out || found.timed_out;
-    if (found.share > least) best = std::move(found);
+    const double least = best.far.share + kWorthCutting;
+    FarMotion found = go_on(make_linkage(other.sheet), {}, options, true, least, share_of_time(run, 1.0 / (tries - i)));
+    found.timed_out = best.far.timed_out = best.far.timed_out || found.timed_out;
+    if (found.share > least) best = {std::move(other), std::move(found)};
   }
   return best;
+}
+
+// In other orders as well, with what to tell of its panels.
+FarMotion finish_cut(CutMotion cut, const CreasePattern& sheet, const MotionOptions& options, const Run& run) {
+  if (cut.far.share < kFarEnough) go_in_other_orders(make_linkage(cut.facets.sheet), options, run, cut.far);
+  if (cut.far.motion.path.waypoints.empty()) return std::move(cut.far);
+  cut.far.bends = bends_of(cut.facets, sheet.num_faces(), cut.far.motion.path);
+  cut.far.notes.push_back(bends_note(cut.far.bends));
+  cut.far.sheet = std::move(cut.facets.sheet);
+  return std::move(cut.far);
 }
 
 // Without what follows the first waypoint that is deformed more than allowed.
@@ -285,27 +362,38 @@ FarMotion go_open(const Linkage& linkage, const CreasePattern& sheet, const Moti
     return torn.gap <= widest && torn.deformation <= options.deformation;
   };
   ContinuationResult found = approach_goal(linkage, {}, approach, share_of_time(run, kSearchTime));
-  FarMotion result;
+  Motion motion;
   if (found.path.waypoints.size() > 1) {
-    result.motion = prove_as_far(linkage, found.path, MotionMethod::Continuation, clearance, run, nullptr, open);
-    const std::size_t before = result.motion.path.waypoints.size();
-    cut_where_deformed(sheet, linkage, options.deformation, result.motion.path);
-    if (result.motion.path.waypoints.size() < before && result.motion.path.waypoints.size() > 1)
-      result.motion =
-          prove_as_far(linkage, result.motion.path, MotionMethod::Continuation, clearance, run, nullptr, open);
+    motion = prove_as_far(linkage, found.path, MotionMethod::Continuation, clearance, run, nullptr, open);
+    const std::size_t before = motion.path.waypoints.size();
+    cut_where_deformed(sheet, linkage, options.deformation, motion.path);
+    if (motion.path.waypoints.size() < before && motion.path.waypoints.size() > 1)
+      motion = prove_as_far(linkage, motion.path, MotionMethod::Continuation, clearance, run, nullptr, open);
   }
+  if (motion.proof.verdict != PathVerdict::Free) motion.path.waypoints.clear();
+  FarMotion result = judged(linkage, found, std::move(motion));
   result.timed_out = run.over() || found.ending == Ending::TimedOut;
-  if (result.motion.path.waypoints.size() < 2 || result.motion.proof.verdict != PathVerdict::Free) {
-    result.motion.path.waypoints.clear();
-    result.notes.push_back(why(linkage, found, result.motion));
-    return result;
-  }
-  const Configuration& end = result.motion.path.waypoints.back().config;
-  result.share = share_of_way(linkage, end);
-  result.reached = found.ending == Ending::Found && end == found.path.waypoints.back().config;
-  if (!result.reached)
-    result.notes.push_back(fmt::format("{}; {}", why(linkage, found, result.motion), short_creases(linkage, end)));
   return result;
+}
+
+// Whole, or cut by flat creases where that leads farther.
+FarMotion go_with_panels(const Linkage& linkage, const CreasePattern* sheet, const FoldingPath& begun,
+                         const MotionOptions& options, const Run& run) {
+  const bool may_cut = sheet && options.facets != FacetPolicy::None;
+  if (may_cut && options.facets == FacetPolicy::All)
+    return finish_cut(go_on_in_facets(*sheet, options, run), *sheet, options, run);
+  // Whole panels that are locked will be cut; pulling them first is time lost.
+  const bool will_cut =
+      may_cut && std::any_of(sheet->faces.begin(), sheet->faces.end(), [](const auto& f) { return f.size() > 3; });
+  FarMotion whole = go_on(linkage, begun, options, !will_cut, 0, will_cut ? share_of_time(run, kWholeTime) : run);
+  if (whole.share >= kFarEnough) return whole;
+  if (will_cut && !run.over()) {
+    CutMotion cut = go_on_in_facets(*sheet, options, run);
+    cut.far.timed_out = whole.timed_out = cut.far.timed_out || whole.timed_out;
+    if (cut.far.share > whole.share + kWorthCutting) return finish_cut(std::move(cut), *sheet, options, run);
+  }
+  go_in_other_orders(linkage, options, run, whole);
+  return whole;
 }
 
 }  // namespace
@@ -355,16 +443,10 @@ FarMotion go_deformed(const Linkage& linkage, const CreasePattern& sheet, const 
 
 FarMotion go_as_far(const Linkage& linkage, const CreasePattern* sheet, const FoldingPath& begun,
                     const MotionOptions& options, const Run& run) {
-  const bool may_cut = sheet && options.facets != FacetPolicy::None;
-  if (may_cut && options.facets == FacetPolicy::All) return go_on_in_facets(*sheet, options, run);
-  // Whole panels that are locked will be cut; pulling them first is time lost.
-  const bool will_cut =
-      may_cut && std::any_of(sheet->faces.begin(), sheet->faces.end(), [](const auto& f) { return f.size() > 3; });
-  FarMotion whole = go_on(linkage, begun, options, !will_cut, 0, may_cut ? share_of_time(run, kWholeTime) : run);
-  if (!may_cut || whole.share >= kFarEnough || run.over()) return whole;
-  FarMotion cut = go_on_in_facets(*sheet, options, run);
-  cut.timed_out = whole.timed_out = cut.timed_out || whole.timed_out;
-  return cut.share > whole.share + kWorthCutting ? cut : whole;
+  FarMotion far = go_with_panels(linkage, sheet, begun, options, run);
+  if (far.timed_out && !far.reached && far.motion.path.waypoints.size() > 1)
+    far.notes.emplace_back("the time limit cut the search short: more time may lead farther");
+  return far;
 }
 
 }  // namespace plico

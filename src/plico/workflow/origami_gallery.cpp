@@ -238,7 +238,8 @@ std::string gallery_page(const std::vector<GalleryRow>& rows) {
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Crease patterns</title>\n<style>"
       "body{font:14px sans-serif;margin:1em}table{border-collapse:collapse}td,th{border:1px solid #ccc;padding:4px;"
       "vertical-align:top;text-align:left}td:nth-child(5),td:nth-child(9){min-width:14em;max-width:22em;font-size:12px}"
-      "td:nth-child(6),td:nth-child(7){max-width:8em;font-size:12px}thead th{position:sticky;top:0;background:#fff}"
+      "td:nth-child(6),td:nth-child(7){max-width:8em;font-size:12px}td:nth-child(4),b,td:last-child{white-space:nowrap}"
+      "thead th{position:sticky;top:0;background:#fff}"
       ".goal{background:#d9f0d3}.half{background:#fdf6c8}.some{background:#fde3c8}.none{background:#f9d4d4}"
       "polyline{fill:none}</style></head>\n<body><h1>Crease patterns</h1><p>" +
       xml_text(gallery_summary(rows)) +

@@ -41,6 +41,22 @@ int count_discrete(const CreasePattern& sheet, bool quarter) {
   }
 }
 
+// Around 60 creases and back again along the same ones: rounding must not grow from crease to crease.
+TEST(Closure, IsSharpAroundManyCreases) {
+  constexpr int kCreases = 60;
+  RealVertex there_and_back;
+  there_and_back.vertex = 0;
+  Configuration config(2 * kCreases);
+  for (int k = 0; k < 2 * kCreases; ++k) {
+    const int crease = std::min(k, 2 * kCreases - 1 - k);
+    const double at = 2 * kPi * crease / kCreases;
+    there_and_back.hinges.push_back(k);
+    there_and_back.directions.emplace_back(std::cos(at), std::sin(at));
+    config[k] = (crease % 2 == 0 ? 1.4 : -1.5) * (k < kCreases ? 1 : -1);
+  }
+  EXPECT_LT(closure({there_and_back}, config).worst, 1e-13);
+}
+
 TEST(Closure, CountsOfTable32ComeOut) {
   EXPECT_EQ(count_discrete(l2(), false), 5);
   EXPECT_EQ(count_discrete(l2(), true), 6);
