@@ -71,12 +71,19 @@ std::string motion(const FirstTry& tried) {
 }
 
 struct Totals {
-  int files = 0, verified = 0, refused_with_remedy = 0, refused_without = 0, bugs = 0, late = 0, other = 0;
+  int files = 0, verified = 0, told_what_helps = 0, refused_with_remedy = 0, refused_without = 0, bugs = 0, late = 0;
+  int other = 0;
 };
 
 std::string told_of_error(const FirstTry& tried, const char* what) {
   if (!tried.told.is_object() || !tried.told.contains("error")) return "";
   return tried.told["error"].value(what, "");
+}
+
+// Of an answer without a motion.
+std::string to_try(const FirstTry& tried) {
+  if (!tried.told.is_object() || !tried.told.contains("craft")) return "";
+  return tried.told["craft"].value("try", "");
 }
 
 void count(const FirstTry& tried, Totals& totals) {
@@ -90,8 +97,10 @@ void count(const FirstTry& tried, Totals& totals) {
     ++(told_of_error(tried, "where").empty() || told_of_error(tried, "suggestion").empty()
            ? totals.refused_without
            : totals.refused_with_remedy);
+  else if (verdict(tried) == "verified")
+    ++(tried.exit_code == 0 ? totals.verified : to_try(tried).empty() ? totals.other : totals.told_what_helps);
   else
-    ++(verdict(tried) == "verified" && tried.exit_code == 0 ? totals.verified : totals.other);
+    ++totals.other;
 }
 
 int bench(const Arguments& args, const std::string& program, double limit) {
@@ -101,6 +110,7 @@ int bench(const Arguments& args, const std::string& program, double limit) {
   for (const fs::path& mesh : mesh_files(args.meshes)) {
     if (args.quick && totals.files >= 5) break;
     const FirstTry tried = first_try(program, mesh, folder, limit);
+    if (const std::string remedy = to_try(tried); !remedy.empty()) fmt::print("  try:   {}\n", remedy);
     const json craft = tried.told.is_object() ? tried.told.value("craft", json::object()) : json::object();
     table.row({mesh.filename().string(), craft.value("faces", json()), tried.exit_code, verdict(tried), motion(tried),
                pages(tried), tried.seconds});
@@ -111,10 +121,11 @@ int bench(const Arguments& args, const std::string& program, double limit) {
   }
   fs::remove_all(folder);
   fmt::print(
-      "{} files: {} verified, {} refused with place and remedy, {} refused without, {} over the limit of {:g} s, "
+      "{} files: {} verified, {} more verified but not found to fold, with what to try, {} refused with place and "
+      "remedy, {} refused without, {} over the limit of {:g} s, "
       "{} other answers, {} exits with {}\n",
-      totals.files, totals.verified, totals.refused_with_remedy, totals.refused_without, totals.late, limit,
-      totals.other, totals.bugs, kBug);
+      totals.files, totals.verified, totals.told_what_helps, totals.refused_with_remedy, totals.refused_without,
+      totals.late, limit, totals.other, totals.bugs, kBug);
   write_json(args, {&table});
   return totals.bugs == 0 ? 0 : 1;
 }

@@ -14,6 +14,7 @@ export interface PageData {
   seams: [number, number, number, number][]; // panel, side, panel, side
   sideIds: string[][]; // of each side of each panel, as printed; empty when there are no pages
   partOf: string[]; // the letter of each panel's part on the pages; empty when there are none
+  paper?: Paper; // the printed pages; absent when there are none
   colors?: string[]; // "#rrggbb" of the front of each panel; absent: all alike
   keys: { times: number[]; angles: number[] }[]; // of each hinge, radians; linear in between
   motion: string;
@@ -25,6 +26,15 @@ export interface PageData {
   pictures: { caption: string; png: string }[]; // base64
   folded: number; // the moment from which folded pieces are put together; 1 when they are not
   home: Home[]; // of each panel; empty when pieces stay where they fold
+}
+
+// Pages side by side, in millimetres, y upwards; outlines as above.
+export interface Paper {
+  pages: number[][];
+  panels: number[][]; // in the order of the panels
+  tabs: number[][];
+  folds: Record<Kind, number[][]>;
+  names: { text: string; at: number[] }[]; // of parts, when there are several
 }
 
 // How a folded piece comes to where it belongs: it turns about its centre while that moves.
@@ -173,9 +183,9 @@ export class Model {
   }
 
   // The median length of a side: how fine the sheet is.
-  typicalSide(): number {
+  typicalSide(outlines: number[][] = this.data.panels): number {
     const sides: number[] = [];
-    for (const outline of this.data.panels) {
+    for (const outline of outlines) {
       const n = outline.length;
       for (let i = 0; i < n; i += 2) {
         sides.push(Math.hypot(outline[(i + 2) % n]! - outline[i]!, outline[(i + 3) % n]! - outline[i + 1]!));

@@ -63,13 +63,13 @@ bool any_too_large(const Unfolding& net, const Vec2& room) {
                              [&](const auto& points) { return !angle_that_fits(convex_hull(points), room); });
 }
 
-[[noreturn]] void throw_too_large(int part, double factor, double scale, const FoldedShape& shape,
+[[noreturn]] void throw_too_large(const std::string& part, double factor, double scale, const FoldedShape& shape,
                                   const LayoutOptions& options, bool is_panel) {
   const double longest = std::floor(10 * 0.999 * factor * scale * shape.size.maxCoeff()) / 10;
   const Vec2 page = options.page.size;
   throw InvalidInput(is_panel ? "fabricate/panel-too-large" : "fabricate/part-too-large",
                      fmt::format("{} {} does not fit a page of {:g} x {:g} mm at {:g} mm per unit",
-                                 is_panel ? "a panel of part" : "part", part_name(part), page.x(), page.y(), scale),
+                                 is_panel ? "a panel of part" : "part", part, page.x(), page.y(), scale),
                      {},
                      fmt::format("{} or a larger --page{}",
                                  longest > 0 ? fmt::format("use --longest {:g}mm or less", longest)
@@ -77,17 +77,19 @@ bool any_too_large(const Unfolding& net, const Vec2& room) {
                                  is_panel ? "" : ", or --split"));
 }
 
-// Which item of `hulls` fits least, and by which factor it would have to shrink.
-void require_fit(const std::vector<std::vector<Vec2>>& hulls, const std::vector<std::vector<Vec2>>& bare, double scale,
-                 const FoldedShape& shape, const LayoutOptions& options, bool is_panel) {
+// Which item fits least, and by which factor it would have to shrink.
+void require_fit(const std::vector<PlaceItem>& items, const Unfolding& net, const std::vector<PartTitle>& titles,
+                 double scale, const FoldedShape& shape, const LayoutOptions& options) {
+  std::vector<std::vector<Vec2>> bare;
+  for (auto& points : part_points(net)) bare.push_back(convex_hull(std::move(points)));
   int worst = -1;
   double factor = 1;
-  for (std::size_t i = 0; i < hulls.size(); ++i) {
-    if (angle_that_fits(hulls[i], printable(options.page))) continue;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (angle_that_fits(items[i].hull, printable(options.page))) continue;
     const double fits = std::min(1.0, largest_scale(bare[i], room_without_tabs(options)));
     if (worst < 0 || fits < factor) worst = static_cast<int>(i), factor = fits;
   }
-  if (worst >= 0) throw_too_large(worst, factor, scale, shape, options, is_panel);
+  if (worst >= 0) throw_too_large(titles[worst].id, factor, scale, shape, options, options.split);
 }
 
 void cut_weak_folds(const LayoutOptions& options, Unfolding& net, LayoutReport& report) {
@@ -316,11 +318,19 @@ std::vector<PartTitle> titles_of(const Unfolding& net, const Unfolding& before, 
 }
 
 // Of each printed part; those that one part was cut into stay together.
-std::vector<int> ranks(const Unfolding& net, const Unfolding& before, const std::vector<int>& rank) {
+std::vector<int> printed_ranks(const Unfolding& net, const Unfolding& before, const std::vector<int>& rank) {
   if (rank.empty()) return {};
   std::vector<int> result(net.num_parts());
   for (int f = 0; f < net.sheet.num_faces(); ++f) result[net.part[f]] = rank[before.part[f]];
   return result;
+}
+
+// Parts are numbered, and so lettered and laid on pages, in the order in which they are put together.
+void number_by_steps(const Unfolding& before, const std::vector<int>& rank, Unfolding& net) {
+  const std::vector<AssemblyStep> steps = assembly_order(NetSides(net), printed_ranks(net, before, rank));
+  std::vector<int> number(net.num_parts());
+  for (std::size_t i = 0; i < steps.size(); ++i) number[steps[i].part] = static_cast<int>(i);
+  for (int& part : net.part) part = number[part];
 }
 
 ModelView view_of(const Unfolding& net, const FoldedShape& shape, char up) {
@@ -338,7 +348,7 @@ void show_assembly(const NetSides& sides, const Unfolding& model_net, const Fold
                    const LayoutOptions& options, PageLayout& layout, LayoutReport& report) {
   const Unfolding& net = sides.net();
   if (net.num_parts() < 2) return;
-  report.steps = assembly_order(sides, ranks(net, model_net, options.rank));
+  report.steps = assembly_order(sides, printed_ranks(net, model_net, options.rank));
   std::vector<int> step(net.num_parts());
   for (std::size_t i = 0; i < report.steps.size(); ++i) step[report.steps[i].part] = static_cast<int>(i) + 1;
   for (PlacedPart& part : layout.parts) part.step = step[part.part];
@@ -380,7 +390,9 @@ LayoutResult lay_out_pages(const Unfolding& model_net, const FoldedShape& shape,
   report.final_size = report.scale * shape.size;
   const auto gives_up = [&] { return result.given_up = options.may_give_up && run.over(); };
 
-  const Unfolding net = net_to_print(model_net, options, report);
+  Unfolding net = net_to_print(model_net, options, report);
+  number_by_steps(model_net, options.rank, net);
+  const std::vector<PartTitle> titles = titles_of(net, model_net, options);
   report.hands = measure_for_hands(net, 1);
   const NetSides sides(net);
   const Outlines outlines = sides.outlines();
@@ -389,15 +401,11 @@ LayoutResult lay_out_pages(const Unfolding& model_net, const FoldedShape& shape,
   report.tabs = make_tabs(sides, outlines, options.tabs);
 
   const std::vector<PlaceItem> items = place_items(net, report.tabs);
-  std::vector<std::vector<Vec2>> hulls, bare;
-  for (const PlaceItem& item : items) hulls.push_back(item.hull);
-  for (auto& points : part_points(net)) bare.push_back(convex_hull(std::move(points)));
-  require_fit(hulls, bare, report.scale, shape, options, options.split);
+  require_fit(items, net, titles, report.scale, shape, options);
   if (gives_up()) return result;
   const Placed placed = place(items, options.page, options.place, run, given_placements(net, options.places));
   if (gives_up()) return result;
 
-  const std::vector<PartTitle> titles = titles_of(net, model_net, options);
   PageLayout& layout = result.layout;
   layout.pages = placed.pages;
   layout.scale = report.scale;

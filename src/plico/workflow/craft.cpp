@@ -245,6 +245,7 @@ std::string page_text(const Mesh& mesh, const CraftOptions& options, const Craft
     page.home = standing(assembled(mesh, result.net), options.layout.size.up);
   page.part_of_panel = result.layout.report.part_of_panel;
   page.side_ids = side_ids(result);
+  page.pages = result.layout.layout;
   page.colors = panel_colors(result.paint);
   if (result.motion) {
     const PathProof& proof = result.motion->proof;

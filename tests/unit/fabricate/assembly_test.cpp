@@ -37,6 +37,26 @@ TEST(Assembly, AGivenOrderIsKept) {
   for (int i = 0; i < 6; ++i) EXPECT_EQ(steps[i].part, 5 - i);
 }
 
+TEST(Assembly, PartsAreLetteredAndPagesFollowInTheOrderOfAssembly) {
+  const Mesh mesh(cube());
+  LayoutOptions options;
+  options.size.longest = 110;  // one or two faces a page
+  const LayoutReport lettered = lay_out_pages(loose_cube(mesh), folded_shape(mesh), options).report;
+  ASSERT_GT(lettered.pages, 2);
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(lettered.part_names[lettered.steps[i].part], std::string(1, 'A' + i));
+  options.rank = {6, 5, 4, 3, 2, 1};
+  options.titles = {{"A", ""}, {"B", ""}, {"C", ""}, {"D", ""}, {"E", ""}, {"F", ""}};
+  const LayoutReport named = lay_out_pages(loose_cube(mesh), folded_shape(mesh), options).report;
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(named.part_names[named.steps[i].part], std::string(1, 'F' - i));
+  for (const LayoutReport& report : {lettered, named}) {
+    int latest = -1;  // of the first pages that are opened, none waits for a later one
+    for (const AssemblyStep& step : report.steps) {
+      EXPECT_LE(report.page_of_part[step.part], latest + 1);
+      latest = std::max(latest, report.page_of_part[step.part]);
+    }
+  }
+}
+
 TEST(Assembly, PagesShowWhereTheirPartsAreAndTheirStepsAndTheJudgeLooksAtThePicture) {
   const Mesh mesh(cube());
   const Unfolding net = loose_cube(mesh);

@@ -1,6 +1,8 @@
 #include "plico/io/motion/viewer.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
@@ -68,6 +70,71 @@ void add_ids(Json& data, const ViewerInput& input) {
   data["partOf"] = input.part_of_panel;
   for (const Color& color : input.colors.empty() ? piece_colors(input.linkage) : input.colors)
     data["colors"].push_back(hex_text(color));
+}
+
+constexpr double kPageGap = 8;  // millimetres
+
+// Where each page lies when they are shown in rows, upper left first, as a shift of its lower left corner.
+std::vector<Vec2> in_rows(const std::vector<Page>& pages) {
+  const auto columns = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(pages.size()))));
+  Vec2 largest = Vec2::Zero();
+  for (const Page& page : pages) largest = largest.cwiseMax(page.size);
+  std::vector<Vec2> at;
+  for (std::size_t i = 0; i < pages.size(); ++i)
+    at.push_back(Vec2(static_cast<double>(i % columns), -static_cast<double>(i / columns))
+                     .cwiseProduct(largest + Vec2::Constant(kPageGap)));
+  return at;
+}
+
+// x0, y0, x1, y1, ... in thousandths of a millimetre.
+template <class Points>
+Json outline_of(const Points& points, const Vec2& shift) {
+  Json list = Json::array();
+  for (const Vec2& p : points)
+    for (const double x : {p.x() + shift.x(), p.y() + shift.y()}) list.push_back(std::round(1000 * x) / 1000);
+  return list;
+}
+
+const char* kind_of(const FoldLine& fold) {
+  if (fold.assignment == Assignment::Flat) return "flat";
+  return fold.assignment == Assignment::Valley ? "valley" : "mountain";
+}
+
+// Where its name is printed; parts too small for that have it in the middle.
+Vec2 place_of_name(const PlacedPart& part) {
+  for (const Label& label : part.labels)
+    if (label.text == part.name || label.text.starts_with(part.name + " ") || label.text.starts_with(part.name + ","))
+      return label.center;
+  Eigen::AlignedBox2d box;
+  for (const PlacedPanel& panel : part.panels)
+    for (const Vec2& p : panel.corners) box.extend(p);
+  return box.center();
+}
+
+void add_pages(Json& data, const ViewerInput& input) {
+  if (!input.pages) return;
+  const PageLayout& layout = *input.pages;
+  const std::vector<Vec2> at = in_rows(layout.pages);
+  std::vector<Json> panels(input.linkage.panels.size());
+  Json paper = {{"pages", Json::array()}, {"tabs", Json::array()}, {"names", Json::array()}};
+  for (const char* kind : {"mountain", "valley", "flat"}) paper["folds"][kind] = Json::array();
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    const Vec2& size = layout.pages[i].size;
+    paper["pages"].push_back(outline_of(std::array{Vec2(0, 0), Vec2(size.x(), 0), size, Vec2(0, size.y())}, at[i]));
+  }
+  for (const PlacedPart& part : layout.parts) {
+    const Vec2& shift = at.at(part.page);
+    for (const PlacedPanel& panel : part.panels) panels.at(panel.panel) = outline_of(panel.corners, shift);
+    for (const Tab& tab : part.tabs) paper["tabs"].push_back(outline_of(tab.corners, shift));
+    for (const FoldLine& fold : part.folds)
+      paper["folds"][kind_of(fold)].push_back(outline_of(std::array{fold.a, fold.b}, shift));
+    if (layout.parts.size() > 1)
+      paper["names"].push_back({{"text", part.name}, {"at", outline_of(std::array{place_of_name(part)}, shift)}});
+  }
+  if (std::ranges::any_of(panels, &Json::is_null))
+    throw InvalidInput("viewer/pages", "a panel is on none of the pages");
+  paper["panels"] = std::move(panels);
+  data["paper"] = std::move(paper);
 }
 
 // The moment at which everything is folded.
@@ -183,6 +250,7 @@ std::string viewer_page(const ViewerInput& input) {
   add_panels(data, input.linkage);
   add_tree(data, input.linkage);
   add_ids(data, input);
+  add_pages(data, input);
   add_motion(data, input);
   require_within_limits(input.linkage, input.path ? *input.path : linear_path(input.linkage));
   add_proof(data, input);

@@ -8,6 +8,7 @@
 
 #include "plico/base/picture.h"
 #include "plico/fold/folding_path.h"
+#include "plico/fold/page_layout.h"
 #include "plico/io/motion/stand.h"
 
 namespace plico {
@@ -38,7 +39,8 @@ struct ViewerInput {
   // of each panel's part. Empty when there are no pages.
   std::vector<std::vector<std::string>> side_ids;
   std::vector<std::string> part_of_panel;
-  std::vector<Color> colors;  // of the fronts of panels; empty: one a piece
+  std::optional<PageLayout> pages;  // the pages themselves, shown flat in place of the linkage, every panel once
+  std::vector<Color> colors;        // of the fronts of panels; empty: one a piece
 
   std::string report;                                         // one JSON object, shown as a table; empty for none
   std::vector<std::pair<std::string, std::string>> links;     // label and address of files beside the page

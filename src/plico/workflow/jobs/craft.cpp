@@ -11,6 +11,7 @@
 #include "plico/base/error.h"
 #include "plico/mesh/measures.h"
 #include "plico/workflow/craft.h"
+#include "plico/workflow/jobs/job_files.h"
 #include "plico/workflow/jobs/jobs.h"
 #include "plico/workflow/jobs/print_options.h"
 #include "plico/workflow/jobs/read_mesh.h"
@@ -141,6 +142,33 @@ void warn_of_weak_folds(const Session& session, const CraftResult& result) {
       larger <= 2 * longest ? fmt::format("--longest {:.0f}mm, or ", larger) : ""));
 }
 
+// Pieces that have no motion free of collision, by their names; empty where the whole is one.
+std::string pieces_that_stay_flat(const CraftResult& result) {
+  std::vector<std::string> names;
+  for (int i = 0; result.kit && i < result.kit->parts.num_parts(); ++i)
+    if (result.kit->part[i].net.sheet.num_faces() > 1 && !result.kit->part[i].proven())
+      names.push_back(result.kit->parts.names[i]);
+  if (names.empty()) return "";
+  return fmt::format(" for piece{} {}", names.size() == 1 ? "" : "s", fmt::join(names, ", "));
+}
+
+// Where the whole search found no motion: parts fold where one piece does not, and any shape can be printed flat.
+std::string remedy_for_motion(const CraftArgs& args, const CraftResult& result) {
+  const bool cut_short = result.ending == Ending::TimedOut || result.ending == Ending::Stopped;
+  const bool all_fold = result.kit && pieces_that_stay_flat(result).empty();
+  if (args.foldable == "none" || result.proven() || all_fold || result.verdict.panels < 2 || cut_short) return "";
+  const std::string file = args.mesh == "-" ? "FILE" : quoted(args.mesh);
+  return fmt::format("plico craft {} {}", file,
+                     args.parts == "one" && !args.shells ? "--parts auto" : "--foldable none");
+}
+
+void warn_of_no_motion(const CraftArgs& args, const CraftResult& result, Session& session) {
+  const std::string remedy = remedy_for_motion(args, result);
+  if (remedy.empty()) return;
+  session.report()["craft"]["try"] = remedy;
+  session.warn(fmt::format("no motion free of collision was found{}; try {}", pieces_that_stay_flat(result), remedy));
+}
+
 // The shells of a shape in parts; of one that hangs together, those of its nearly convex parts.
 ShellPieces shells_to_craft(const CraftArgs& args, Session& session) {
   std::vector<ShapePart> parts = read_shape_parts(args.mesh, "auto", "", session);
@@ -175,6 +203,7 @@ int write_result(const CraftArgs& args, const Mesh& mesh, const std::string& fol
   for (const CraftFile& file : result.files) session.write(folder + "/" + file.name, file.bytes);
   session.report()["craft"] = craft_report(mesh, result);
   print_result(args, session, folder, result);
+  warn_of_no_motion(args, result, session);
   if (!args.shells && result.drawn) warn_of_small_edges(session, result);
   if (result.drawn) warn_of_weak_folds(session, result);
   for (const Defect& defect : result.verdict.defects) session.warn(defect.message);
