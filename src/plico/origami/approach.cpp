@@ -17,7 +17,9 @@ constexpr int kContactRounds = 8;    // in which one step may meet more panels
 constexpr int kSweeps = 200;         // of Gauss-Seidel
 constexpr double kNoPush = 1e-14;    // of the largest push
 constexpr int kMostSteps = 20;       // of a projection once flat is left: what needs more will not be near
-constexpr double kLeastTurn = 1e-5;  // radians: a first step that turns less has not left flat
+constexpr std::size_t kCreepLength = 100, kCreepLooks = 10;  // waypoints
+constexpr double kCreepGain = 0.004;                         // of the squared distance
+constexpr double kLeastTurn = 1e-5;                          // radians: a first step that turns less has not left flat
 
 void check(const ApproachOptions& o) {
   require(o.frames >= 1, "frames", o.frames, "at least 1");
@@ -67,6 +69,10 @@ class Approach {
       }
       if (static_cast<int>(result.path.waypoints.size()) >= options_.max_waypoints) return finish(result);
       if (!step(result)) return finish(result);
+      if (creeps(result.path, begun.waypoints.size())) {
+        if (result.obstacle != Obstacle::Collision) stand_still(result);
+        return finish(result);
+      }
       run_.report("folding", std::lround(1000 * share_of_way(linkage_, end(result))), 1000);
     }
     result.ending = Ending::Found;
@@ -136,6 +142,14 @@ class Approach {
     }
     if (result.obstacle != Obstacle::Collision) stand_still(result);
     return false;
+  }
+
+  // Hardly nearer to the goal than many waypoints ago.
+  bool creeps(const FoldingPath& path, std::size_t begun) const {
+    const std::size_t length = path.waypoints.size();
+    if (length % kCreepLooks != 0 || length <= begun + kCreepLength) return false;
+    const double before = distance(path.waypoints[length - 1 - kCreepLength].config);
+    return distance(path.waypoints.back().config) > (1 - kCreepGain) * before;
   }
 
   // The pairs that collided in the last frame join those to be kept apart; true when there are new ones.

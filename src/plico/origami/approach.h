@@ -25,9 +25,10 @@ struct ApproachOptions {
 // every step goes along the part of the way to the goal that keeps all loops closed to first order, and panels that
 // would collide apart (motion/contacts.h: they slide along each other), is projected to the closure, and must come
 // nearer to the goal in the least squares of `facet_weight`. It ends at the goal (Found), where no step comes nearer
-// (GoalOpen when the goal does not close, else Locked), where panels in contact leave no other way, or after
-// max_waypoints (Obstacle::None, Exhausted). The path goes on from `begun`, its times are lengths of the way, 1 at the
-// end; `progress` is share_of_way. Deterministic. O(waypoints) projections and collision checks.
+// (GoalOpen when the goal does not close, else Locked) or a hundred waypoints hardly do, where panels in contact leave
+// no other way, or after max_waypoints (Obstacle::None, Exhausted). The path goes on from `begun`, its times are
+// lengths of the way, 1 at the end; `progress` is share_of_way. Deterministic. O(waypoints) projections and collision
+// checks.
 ContinuationResult approach_goal(const Linkage& linkage, const FoldingPath& begun, const ApproachOptions& options = {},
                                  const Run& run = {});
 inline ContinuationResult approach_goal(const CreasePattern& sheet, const FoldingPath& begun,

@@ -17,6 +17,7 @@ namespace {
 constexpr double kGapShare = 0.2;     // of the clearance, that hinges may open by between waypoints
 constexpr int kMostPieces = 64;       // that one step is cut into at once
 constexpr int kRefinements = 3;       // the first does nearly all; the others meet steps that were not straight
+constexpr int kMostSteps = 20;        // of a projection at once
 constexpr double kTreeTime = 0.5;     // of what is left, for the planners of sheets without loops
 constexpr double kClosed = 1e-9;      // radians, of every waypoint
 constexpr double kLimitSlack = 1e-9;  // radians
@@ -352,7 +353,9 @@ std::vector<Waypoint> between(Projector& projector, const ProjectOptions& within
   for (int i = 1; i < pieces; ++i) {
     const double share = static_cast<double>(i) / pieces;
     const Configuration straight = (1 - share) * a.config + share * b.config;
+    // Near singular states the last digits cost dozens of steps and are not needed.
     Projection projection = projector.project(straight, within, run);
+    if (projection.closure.worst > closed) projection = projector.project(projection.config, within, run);
     if (projection.closure.worst > closed || (projection.config - straight).cwiseAbs().maxCoeff() > most) return {};
     inserted.push_back({(1 - share) * a.time + share * b.time, std::move(projection.config)});
   }
@@ -365,6 +368,7 @@ FoldingPath refine_path(const Linkage& linkage, const FoldingPath& path, double 
   require(gap > 0, "gap", gap, "above 0");
   Projector projector(linkage);
   ProjectOptions within{.low = lower_limits(linkage), .high = upper_limits(linkage)};
+  within.max_steps = kMostSteps;
   if (closed > kClosed) within.tolerance = closed, within.damping = std::max(within.damping, closed / 100);
   FoldingPath refined = path;
   for (int i = 0; i < kRefinements; ++i) {
