@@ -13,6 +13,7 @@
 #include "plico/fabricate/split.h"
 #include "plico/geom/convex2.h"
 #include "plico/geom/polygon.h"
+#include "plico/geom/rectangle_fit.h"
 #include "plico/mesh/segmentation.h"
 
 namespace plico {
@@ -106,9 +107,14 @@ Unfolding net_to_print(const Unfolding& model_net, const LayoutOptions& options,
   Unfolding net = in_millimetres(model_net, report.scale);
   cut_weak_folds(options, net, report);
   if (!options.split || !any_too_large(net, room_without_tabs(options))) return net;
-  const std::vector<char> cuts = cuts_to_fit(NetSides(net), room_without_tabs(options));
-  report.folds_cut = static_cast<int>(std::ranges::count(cuts, 1));
-  return cut_folds(net, cuts);
+  const auto cut = [&](std::vector<char> cuts) {
+    cuts.resize(net.sheet.edges.size(), 0);
+    report.folds_cut += static_cast<int>(std::ranges::count(cuts, 1));
+    net = cut_folds(net, cuts);
+  };
+  if (!options.cuts.empty()) cut(options.cuts);
+  if (any_too_large(net, room_without_tabs(options))) cut(cuts_to_fit(NetSides(net), room_without_tabs(options)));
+  return net;
 }
 
 // Items to place: every part with its tabs.
@@ -379,6 +385,12 @@ Vec2 room_without_tabs(const LayoutOptions& options) {
 double wanted_scale(const Unfolding& net, const FoldedShape& shape, const LayoutOptions& options) {
   return options.size.fill_page && !options.size.is_given() ? scale_that_fills_page(net, shape, options)
                                                             : scale_of(shape, options.size);
+}
+
+std::vector<char> page_cuts(const Unfolding& net, double scale, const LayoutOptions& options) {
+  const Unfolding printed = in_millimetres(net, scale);
+  if (!any_too_large(printed, room_without_tabs(options))) return {};
+  return cuts_to_fit(NetSides(printed), room_without_tabs(options));
 }
 
 LayoutResult lay_out_pages(const Unfolding& model_net, const FoldedShape& shape, const LayoutOptions& options,

@@ -44,7 +44,9 @@ struct LayoutOptions {
   TabOptions tabs;
   LabelOptions labels;
   MarkOptions marks;
-  bool split = false;  // cut parts that are too large for a page
+  bool split = false;  // cut parts that are too large for a page:
+  std::vector<char>
+      cuts;  // at these folds, by edge of the net, and where that does not do at others; empty: none known
   WeakFolds weak_folds = WeakFolds::Keep;
   double flat = radians(0.5);      // folds up to this angle count as flat, radians
   std::vector<PartTitle> titles;   // of each part of the net; empty: "A", "B", ...
@@ -90,6 +92,9 @@ Vec2 room_without_tabs(const LayoutOptions& options);
 
 // The scale at which lay_out_pages() prints: millimetres per unit.
 double wanted_scale(const Unfolding& net, const FoldedShape& shape, const LayoutOptions& options = {});
+
+// Folds of `net` at which parts too large for a page at `scale` are cut, by edge; empty when all fit.
+std::vector<char> page_cuts(const Unfolding& net, double scale, const LayoutOptions& options = {});
 
 // Lays out `net` (in the model's unit). Throws InvalidInput when a part fits no page, saying the largest size that
 // would fit, unless it may be split; InvalidOption when an option is out of range. Parts with a given place may overlap

@@ -9,9 +9,9 @@
 #include "plico/base/error.h"
 #include "plico/base/libm.h"
 #include "plico/fabricate/cells.h"
-#include "plico/fabricate/split.h"
 #include "plico/geom/convex2.h"
 #include "plico/geom/polygon.h"
+#include "plico/geom/rectangle_fit.h"
 
 namespace plico {
 namespace {

@@ -1,19 +1,10 @@
-// Parts too large for a page: does a part fit, and where to cut it so that its pieces do.
+// Parts too large for a page: where to cut them so that their pieces fit.
 #pragma once
-#include <optional>
-#include <span>
 #include <vector>
 
 #include "plico/fabricate/net_sides.h"
 
 namespace plico {
-
-// The angle by which a convex hull must be turned to fit a rectangle of size `room`, or nothing. Angles tried: those
-// that lay an edge of the hull along a side of the room, and every 5 degrees. O(h^2).
-std::optional<double> angle_that_fits(std::span<const Vec2> hull, const Vec2& room);
-
-// The largest factor by which the hull can be scaled so that it fits the room, over the same angles.
-double largest_scale(std::span<const Vec2> hull, const Vec2& room);
 
 // Folds to cut so that every piece fits `room`: pieces are grown from the leaves of the tree of panels, the smallest
 // first, and cut off when the next panel would make them too large. Of up to 32 roots of the tree, fewer for more than

@@ -21,7 +21,8 @@ Pose turn_about_x(double angle) {
   return turn;
 }
 
-constexpr int kBlock = 16;  // boxes of plates under one box
+constexpr int kBlock = 16;                  // boxes of plates under one box
+constexpr std::size_t kMostOver = 100'000;  // poses over sides that are kept, of all samples: some megabytes
 
 }  // namespace
 
@@ -113,10 +114,26 @@ Pose BranchSampler::across(int side, double time) const {
   return side_frame_[side] * turn_about_x(-angle_at(side, time)) * beyond_[side];
 }
 
+BranchSampler::Rigid BranchSampler::pose_over(const Sample& sample, int side) const {
+  if (!sample.over.empty()) return sample.over[side];
+  const Pose pose = across(side, sample.time);
+  return {pose.linear(), pose.translation()};
+}
+
+void BranchSampler::find_over(Sample& sample) const {
+  std::size_t kept = 0;
+  for (const Sample& other : samples_) kept += other.over.size();
+  if (kept + side_panel_.size() > kMostOver) return;
+  std::vector<Rigid> over;
+  for (int side = 0; side < static_cast<int>(side_panel_.size()); ++side)
+    over.push_back(kit_.twin[side] < 0 ? Rigid{} : pose_over(sample, side));
+  sample.over = std::move(over);
+}
+
 void BranchSampler::place_plate(Sample& sample, int plate) const {
   const auto& [panel, first, count] = plates_[plate];
-  const Pose& pose = sample.pose[panel];
-  for (int c = first; c < first + count; ++c) sample.corners[c] = pose.linear() * shape_[c] + pose.translation();
+  const Rigid& pose = sample.pose[panel];
+  for (int c = first; c < first + count; ++c) sample.corners[c] = pose * shape_[c];
   const FloatBox box(&sample.corners[first], count);
   const int place = place_[plate];
   for (int k = 0; k < 3; ++k) sample.boxes[k][place] = box.low[k], sample.boxes[k + 3][place] = box.high[k];
@@ -156,7 +173,7 @@ void BranchSampler::place_from(Sample& sample, int root, int barred) {
     for (int side = kit_.first_side[p]; side < kit_.first_side[p + 1]; ++side) {
       if (!is_joined_[side] || side == entered_by) continue;
       const int q = side_panel_[kit_.twin[side]];
-      sample.pose[q] = sample.pose[p] * across(side, sample.time);
+      sample.pose[q] = sample.pose[p] * pose_over(sample, side);
       queue_.emplace_back(q, kit_.twin[side]);
     }
   }
@@ -164,7 +181,7 @@ void BranchSampler::place_from(Sample& sample, int root, int barred) {
 }
 
 void BranchSampler::place_all(Sample& sample) {
-  sample.pose.assign(kit_.num_panels(), Pose::Identity());
+  sample.pose.assign(kit_.num_panels(), Rigid{});
   sample.corners.resize(shape_.size());
   const std::size_t num_blocks = (plates_.size() + kBlock - 1) / kBlock;
   for (auto& bound : sample.boxes) bound.resize(plates_.size());
@@ -189,7 +206,8 @@ void BranchSampler::reset(const std::vector<char>& is_joined) {
 
 void BranchSampler::add_sample(double time) {
   foreseen_.side = -1;
-  samples_.push_back({time, {}, {}, {}, {}});
+  samples_.push_back({time, {}, {}, {}, {}, {}});
+  find_over(samples_.back());
   sample_order_.insert(sample_order_.begin(), num_samples() - 1);
   if (is_joined_.empty()) return;
   place_all(samples_.back());
@@ -211,8 +229,8 @@ bool BranchSampler::penetrating(const Sample& sample, int plate, const Vec3* cor
                                 int other) const {
   const Plate& a = plates_[plate];
   const Plate& b = plates_[other];
-  return penetrate({corners, a.count, normal},
-                   {&sample.corners[b.first], b.count, sample.pose[b.panel].linear().col(2)}, touch_);
+  return penetrate({corners, a.count, normal}, {&sample.corners[b.first], b.count, sample.pose[b.panel].turn.col(2)},
+                   touch_);
 }
 
 void BranchSampler::find_conflicts(int k) {
@@ -234,7 +252,7 @@ void BranchSampler::find_conflicts(int k) {
       if (bound[1][b] > bound[4][a] || bound[1][a] > bound[4][b] || bound[2][b] > bound[5][a] ||
           bound[2][a] > bound[5][b] || panel_a == panel_b || joined(panel_a, panel_b))
         continue;
-      const Vec3 normal = sample.pose[panel_a].linear().col(2);
+      const Vec3 normal = sample.pose[panel_a].turn.col(2);
       if (penetrating(sample, plate_a, &sample.corners[plates_[plate_a].first], normal, plate_b))
         conflicts_.push_back({k, panel_a, panel_b});
     }
@@ -253,12 +271,12 @@ long BranchSampler::conflicts_across(std::span<const int> branch) {
 }
 
 // What a branch goes through when it is hung by `side`.
-Pose BranchSampler::moved_by(const Sample& sample, int side) const {
+BranchSampler::Rigid BranchSampler::moved_by(const Sample& sample, int side) const {
   const int twin = kit_.twin[side];
-  return sample.pose[side_panel_[twin]] * across(twin, sample.time) * sample.pose[side_panel_[side]].inverse();
+  return sample.pose[side_panel_[twin]] * pose_over(sample, twin) * sample.pose[side_panel_[side]].inverse();
 }
 
-void BranchSampler::move_branch(const Sample& sample, std::span<const int> branch, const Pose& motion) {
+void BranchSampler::move_branch(const Sample& sample, std::span<const int> branch, const Rigid& motion) {
   moved_.clear();
   for (int panel : branch) {
     const int first = plates_[first_plate_[panel]].first, last = first_plate_[panel + 1] - 1;
@@ -297,7 +315,7 @@ bool BranchSampler::visit_near(const Sample& sample, const FloatBox& box, Visit 
 // Calls found(panel of the branch, panel of the rest) for colliding pairs until it returns true. The branch is marked.
 template <class Found>
 bool BranchSampler::meet(const Sample& sample, std::span<const int> branch, int side, Found found) {
-  const Pose motion = moved_by(sample, side);
+  const Rigid motion = moved_by(sample, side);
   const int hinge_in = side_panel_[side], hinge_out = side_panel_[kit_.twin[side]];
   move_branch(sample, branch, motion);
   work_ += static_cast<long>(moved_.size());
@@ -305,7 +323,7 @@ bool BranchSampler::meet(const Sample& sample, std::span<const int> branch, int 
   if (near_.empty()) return false;
   const Vec3* corners = moved_.data();
   for (int panel : branch) {
-    const Vec3 normal = motion.linear() * sample.pose[panel].linear().col(2);
+    const Vec3 normal = motion.turn * sample.pose[panel].turn.col(2);
     for (int i = first_plate_[panel]; i < first_plate_[panel + 1]; corners += plates_[i].count, ++i) {
       const bool enough = visit_near(sample, FloatBox(corners, plates_[i].count), [&](int other) {
         const int other_panel = plates_[other].panel;
@@ -347,7 +365,7 @@ void BranchSampler::unjoin(std::span<const int> branch) {
 // Panel by panel along the tree, not by the branch's motion: that would double rounding errors at every hanging.
 void BranchSampler::place_branch(Sample& sample, int side) {
   const int twin = kit_.twin[side], panel = side_panel_[side];
-  sample.pose[panel] = sample.pose[side_panel_[twin]] * across(twin, sample.time);
+  sample.pose[panel] = sample.pose[side_panel_[twin]] * pose_over(sample, twin);
   place_from(sample, panel, side);
   for (int block : touched_) bound_block(sample, block);
 }

@@ -60,11 +60,20 @@ class BranchSampler {
 
  private:
   using Boxes = std::array<std::vector<float>, 6>;  // low x y z, high x y z, rounded outward
+  // A pose that is multiplied and applied without the fourth row, in a third of the time.
+  struct Rigid {
+    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+    Vec3 shift = Vec3::Zero();
+    Rigid operator*(const Rigid& b) const { return {turn * b.turn, turn * b.shift + shift}; }
+    Vec3 operator*(const Vec3& p) const { return turn * p + shift; }
+    Rigid inverse() const { return {turn.transpose(), -(turn.transpose() * shift)}; }
+  };
   struct Sample {
     double time;
-    std::vector<Pose> pose;     // of each panel
+    std::vector<Rigid> pose;    // of each panel
     std::vector<Vec3> corners;  // of all plates
     Boxes boxes, blocks;        // of the plates by place, and of kBlock places in a row
+    std::vector<Rigid> over;    // across() of each side; empty when there are too many
   };
   struct FloatBox;
   struct Plate {
@@ -80,7 +89,7 @@ class BranchSampler {
   void bound_block(Sample& sample, int block) const;
   void find_blocks(std::span<const int> branch);
   void find_beyond();
-  void move_branch(const Sample& sample, std::span<const int> branch, const Pose& motion);
+  void move_branch(const Sample& sample, std::span<const int> branch, const Rigid& motion);
   void find_near(const Sample& sample);
   template <class Visit>
   bool visit_near(const Sample& sample, const FloatBox& box, Visit visit) const;
@@ -88,7 +97,9 @@ class BranchSampler {
   void place_branch(Sample& sample, int side);
   void find_conflicts(int sample);
   void mark(std::span<const int> branch);
-  Pose moved_by(const Sample& sample, int side) const;
+  Rigid moved_by(const Sample& sample, int side) const;
+  Rigid pose_over(const Sample& sample, int side) const;  // the same as across() at its moment
+  void find_over(Sample& sample) const;
   template <class Found>
   bool meet(const Sample& sample, std::span<const int> branch, int side, Found found);
   bool penetrating(const Sample& sample, int plate, const Vec3* corners, const Vec3& normal, int other) const;

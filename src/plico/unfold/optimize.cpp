@@ -9,6 +9,7 @@
 #include "plico/base/rng.h"
 #include "plico/geom/convex2.h"
 #include "plico/geom/polygon.h"
+#include "plico/geom/rectangle_fit.h"
 #include "plico/mesh/measures.h"
 #include "plico/unfold/by_component.h"
 #include "plico/unfold/dual_tree.h"
@@ -31,8 +32,9 @@ constexpr long kStepsAPanel = 2000, kMostSteps = 600'000;
 constexpr double kFromHull = 0.7, kClimb = 0.9;
 // What one weak fold or needle weighs, against all that the hull weighs at the start.
 constexpr double kFault = 0.06;
-// How often on the way a net that folds is looked at closely.
-constexpr int kLooks = 16;
+// How often on the way a net that folds is looked at closely: twice as often takes a third more time and gains nothing.
+constexpr int kLooks = 8;
+constexpr int kMostProofs = 3;  // of one look
 
 double interior_length(const Mesh& mesh) {
   double sum = 0;
@@ -76,15 +78,18 @@ int deepest(const DualTree& tree) {
   return depth;
 }
 
-NetFeatures features_of(const DualTree& tree, const HullTracker& hull, const HandyFolds& handy, double cut_length) {
+NetFeatures features_of(const DualTree& tree, const HullTracker& hulls, const HandyFolds& handy, double cut_length) {
   const HandFaults faults = handy.all();
-  return {cut_length,
-          signed_area(hull.hull()),
-          box_area(hull.hull()),
-          static_cast<double>(deepest(tree)),
-          sheet_area(hull.hull()),
-          faults.weak_folds,
-          faults.needles};
+  NetFeatures features{.cut_length = cut_length,
+                       .longest_branch = static_cast<double>(deepest(tree)),
+                       .weak_folds = faults.weak_folds,
+                       .needles = faults.needles};
+  for (const Hull2& hull : hulls.hulls()) {
+    features.hull_area += signed_area(hull);
+    features.box_area += box_area(hull);
+    features.sheet_area += sheet_area(hull);
+  }
+  return features;
 }
 
 // f of [Xi17] 5.5, with weights divided by the features of the net to be improved.
@@ -125,12 +130,12 @@ bool is_clean(const FlatFaces& faces, const FoldForest& tree) {
 class Annealing {
  public:
   // With a motion cost the best net is one that folds, as the start is.
-  Annealing(const FlatFaces& faces, const Objective& objective, double shortest_fold, Candidate start, Rng rng,
-            std::unique_ptr<MotionCost> motion = nullptr)
+  Annealing(const FlatFaces& faces, const Objective& objective, const OptimizeOptions& options, Candidate start,
+            Rng rng, std::unique_ptr<MotionCost> motion = nullptr)
       : faces_(faces),
         mesh_(faces.mesh()),
         objective_(objective),
-        shortest_fold_(shortest_fold),
+        options_(options),
         best_(std::move(start)),
         rng_(rng),
         motion_(std::move(motion)) {
@@ -166,19 +171,26 @@ class Annealing {
  private:
   void set_out() {
     tree_ = std::make_unique<DualTree>(faces_, best_.net);
-    hull_ = std::make_unique<HullTracker>(*tree_);
-    handy_ = std::make_unique<HandyFolds>(*tree_, shortest_fold_);
+    hull_ = std::make_unique<HullTracker>(*tree_, options_.cuts);
+    handy_ = std::make_unique<HandyFolds>(*tree_, options_.shortest_fold);
     now_ = features_of(*tree_, *hull_, *handy_, whole_length_ - fold_length(mesh_, best_.net));
     value_ = objective_(now_);
     if (motion_) motion_->reset(best_.net);
   }
 
-  // The best net so far folds for certain, or the search sets out again from the last that does, knowing why not.
+  // Of the nets found since the last look, the best that folds for certain: one that does not is known better then, and
+  // so are those that share its fault. The search sets out again from there.
   void look_closer(const Run& run) {
-    if (best_.value < folds_.value && !run.over()) {
-      motion_->reset(best_.net);
-      if (motion_->cost() == 0 && motion_->look_closer(best_.net, run) == MotionCost::Closer::Free) folds_ = best_;
+    int looks = 0;
+    for (auto at = better_.rbegin(); at != better_.rend() && looks < kMostProofs && !run.over(); ++at) {
+      motion_->reset(at->net);
+      if (motion_->cost() > 0) continue;
+      ++looks;
+      if (motion_->look_closer(at->net, run) != MotionCost::Closer::Free) continue;
+      folds_ = *at;
+      break;
     }
+    better_.clear();
     best_ = folds_;
     tree_.reset();
   }
@@ -186,10 +198,12 @@ class Annealing {
   void keep_if_best() {
     if (value_ < best_.value) {
       FoldForest net = tree_->forest();
-      if (is_clean(faces_, net))
+      if (is_clean(faces_, net)) {
         best_ = {std::move(net), value_};
-      else
+        if (motion_) better_.push_back(best_);
+      } else {
         tree_.reset();  // rounding of many moves: set out again from the best
+      }
     }
     if (!tree_) return;
     const int root = tree_->root();
@@ -202,7 +216,7 @@ class Annealing {
   // Hangs a branch elsewhere if that overlaps nothing and f grows by no more than chance allows at this temperature.
   void try_one(double temperature) {
     const int panel = pick_branch();
-    if (tree_->parent_side(panel) < 0) return;
+    if (!may_move(panel)) return;
     tree_->gather(panel);
     const int hangs_by = tree_->parent_side(panel), side = pick_side(hangs_by);
     if (side < 0) return;
@@ -215,12 +229,15 @@ class Annealing {
       next.weak_folds += change.weak_folds;
       next.needles += change.needles;
     }
-    if (objective_.needs_hull()) measure(hull_->least_hull_if_hung(side), next);
+    if (objective_.needs_hull()) measure(hull_->least_if_hung(side), next);
     if (objective_(next) > bound) return;
     long looked = 0;
     if (tree_->overlaps_if_hung(side, 1, looked) > 0) return;
-    if (objective_.needs_hull()) measure(hull_->hull_if_hung(side), next);
-    if (objective_(next) > bound) return;
+    if (objective_.needs_hull()) {
+      const HullTracker::Change& change = hull_->all_if_hung(side);
+      measure(change, next);
+      if (objective_(next) > bound || !fits(change.gained)) return;
+    }
     if (motion_) {
       if (motion_->cost_if_hung(tree_->branch(), side, 0) > 0) return;
       motion_->hang(tree_->branch(), side);
@@ -231,25 +248,40 @@ class Annealing {
     value_ = objective_(now_);
   }
 
-  void measure(const std::vector<Vec2>& hull, NetFeatures& features) const {
-    features.hull_area = signed_area(hull);
-    if (objective_.weight.box_area > 0) features.box_area = box_area(hull);
-    if (objective_.weight.sheet_area > 0) features.sheet_area = sheet_area(hull);
+  bool is_cut(int side) const { return !options_.cuts.empty() && options_.cuts[mesh_.edge(HalfedgeId(side))]; }
+
+  bool fits(const Hull2& hull) const { return options_.cuts.empty() || angle_that_fits(hull, options_.room); }
+
+  void measure(const HullTracker::Change& change, NetFeatures& features) const {
+    const auto changed = [&](double now, auto&& size) {
+      double sum = now + size(change.gained) - size(hull_->hulls()[change.to]);
+      if (change.from != change.to) sum += size(change.left) - size(hull_->hulls()[change.from]);
+      return sum;
+    };
+    features.hull_area = changed(now_.hull_area, [](const Hull2& hull) { return signed_area(hull); });
+    if (objective_.weight.box_area > 0) features.box_area = changed(now_.box_area, box_area);
+    if (objective_.weight.sheet_area > 0) features.sheet_area = changed(now_.sheet_area, sheet_area);
   }
 
   int pick_branch() {
     int panel = rng_.below(mesh_.num_faces());
     if (!objective_.needs_hull() || rng_.uniform() >= kFromHull) return panel;
     panel = hull_->panels()[rng_.below(static_cast<int>(hull_->panels().size()))];
-    while (tree_->parent(panel) >= 0 && tree_->parent(tree_->parent(panel)) >= 0 && rng_.uniform() < kClimb)
-      panel = tree_->parent(panel);
+    for (int above = tree_->parent(panel); above >= 0 && may_move(above) && rng_.uniform() < kClimb;
+         above = tree_->parent(panel))
+      panel = above;
     return panel;
   }
+
+  // The root and what hangs by a cut stay where they are.
+  bool may_move(int panel) const { return tree_->parent_side(panel) >= 0 && !is_cut(tree_->parent_side(panel)); }
 
   // One of the sides by which the gathered branch could hang, all equally likely; -1 when there is none.
   int pick_side(int hangs_by) {
     int chosen = -1, seen = 0;
+    const int piece = hull_->piece(tree_->branch().front());
     for (int f : tree_->branch()) {
+      if (hull_->piece(f) != piece) continue;  // it hangs by a cut
       for (HalfedgeId h : mesh_.halfedges(FaceId(f))) {
         const HalfedgeId g = mesh_.twin(h);
         if (!g.valid() || h == hangs_by || tree_->gathered(mesh_.face(g))) continue;
@@ -288,8 +320,9 @@ class Annealing {
   const FlatFaces& faces_;
   const Mesh& mesh_;
   const Objective& objective_;
-  const double shortest_fold_;
+  const OptimizeOptions& options_;
   Candidate best_, folds_;
+  std::vector<Candidate> better_;  // since the last look, the best last
   Rng rng_;
   std::unique_ptr<MotionCost> motion_;
   std::vector<double> edge_length_;
@@ -302,9 +335,10 @@ class Annealing {
   std::vector<Placed> order_;
 };
 
-NetFeatures features(const FlatFaces& faces, const FoldForest& tree, double shortest_fold) {
+NetFeatures features(const FlatFaces& faces, const FoldForest& tree, double shortest_fold,
+                     const std::vector<char>& cuts = {}) {
   const DualTree laid(faces, tree);
-  return features_of(laid, HullTracker(laid), HandyFolds(laid, shortest_fold),
+  return features_of(laid, HullTracker(laid, cuts), HandyFolds(laid, shortest_fold),
                      interior_length(faces.mesh()) - fold_length(faces.mesh(), tree));
 }
 
@@ -312,7 +346,8 @@ NetFeatures features(const FlatFaces& faces, const FoldForest& tree, double shor
 // shape from a poor one.
 std::vector<Candidate> starts(const FlatFaces& faces, const FoldForest& net, const Objective& objective,
                               const OptimizeOptions& options, const Run& run) {
-  std::vector<Candidate> all(options.starts + 1, {net, objective(features(faces, net, options.shortest_fold))});
+  std::vector<Candidate> all(options.starts + 1,
+                             {net, objective(features(faces, net, options.shortest_fold, options.cuts))});
   parallel_for(run, options.starts, [&](int i) {
     if (run.over()) return;
     const SearchOptions search{
@@ -330,26 +365,29 @@ OptimizeResult improve(const Mesh& mesh, const FoldForest& net,
                        const std::function<std::unique_ptr<MotionCost>()>& new_cost, const OptimizeOptions& options,
                        const Run& run) {
   check(options);
+  if (!options.cuts.empty() && (options.starts > 0 || static_cast<int>(options.cuts.size()) != mesh.num_edges()))
+    throw InvalidOption(fmt::format("cuts: {} for {} edges, and {} starts, must be one an edge and no start",
+                                    options.cuts.size(), mesh.num_edges(), options.starts));
   if (count_parts(mesh, net) != 1) throw InvalidInput("optimize/not-a-net", "the forest is not one spanning tree");
   const FlatFaces faces(mesh);
   if (!is_clean(faces, net)) throw InvalidInput("optimize/overlap", "the unfolding to be optimized overlaps itself");
 
   OptimizeResult result;
-  result.before = features(faces, net, options.shortest_fold);
+  result.before = features(faces, net, options.shortest_fold, options.cuts);
   const Objective objective(options.weights, result.before);
   const std::vector<Candidate> from = starts(faces, net, objective, options, run);
   const long steps = options.steps >= 0 ? options.steps : std::min(kStepsAPanel * mesh.num_faces(), kMostSteps);
   std::vector<Candidate> lanes(options.lanes);
   parallel_for(run, options.lanes, [&](int i) {
     const Candidate& start = from[std::min<std::size_t>(i, from.size() - 1)];
-    lanes[i] = Annealing(faces, objective, options.shortest_fold, start, Rng(options.seed).stream(options.starts + i),
+    lanes[i] = Annealing(faces, objective, options, start, Rng(options.seed).stream(options.starts + i),
                          new_cost ? new_cost() : nullptr)
                    .go(steps, run);
   });
   const auto best = std::min_element(lanes.begin(), lanes.end(),
                                      [](const Candidate& a, const Candidate& b) { return a.value < b.value; });
   result.forest = std::move(best->net);
-  result.after = features(faces, result.forest, options.shortest_fold);
+  result.after = features(faces, result.forest, options.shortest_fold, options.cuts);
   if (run.over()) result.ending = run.ending();
   return result;
 }

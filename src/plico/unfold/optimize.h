@@ -37,6 +37,11 @@ struct OptimizeOptions {
   int lanes = 2;                         // searches side by side, at least 1
   int starts = 24;  // nets grown afresh; the lanes set out from the best of these and the given one; at least 0
   double shortest_fold = 0;  // of what counts as weak, units, at least 0
+  // Folds of the given net, by edge of the mesh, that are cut for printing; empty for none. They stay as they are,
+  // hulls, boxes and sheets are summed over the pieces between them, and each piece goes on fitting `room`. Needs
+  // starts = 0.
+  std::vector<char> cuts = {};
+  Vec2 room = Vec2::Zero();  // units
 };
 void check(const OptimizeOptions& options);  // throws InvalidOption naming field, value and range
 

@@ -28,8 +28,10 @@ namespace plico {
 namespace {
 
 // Steps of each lane that improves a net for hands, per face and at most: seconds for a usual animal. The small nets of
-// a kit gain nearly all that they will in an eighth of them.
-constexpr long kImprovingSteps = 400, kImprovingStepsOfPart = 50, kMostImprovingSteps = 200'000;
+// a kit gain nearly all that they will in an eighth of them, and a net that will be cut for pages needs no more before
+// its pieces are improved.
+constexpr long kImprovingSteps = 400, kMostImprovingSteps = 150'000, kImprovingStepsOfPart = 50,
+               kImprovingStepsOfPieces = 300, kMostImprovingStepsOfPieces = 50'000;
 
 constexpr int kMostWorkedOnLate = 10'000;  // faces
 
@@ -142,12 +144,57 @@ void find_kit(const Mesh& mesh, const CraftOptions& options, const Run& run, Cra
   result.kit = std::move(kit);
 }
 
+// Where the net must be cut for its pages at this scale, by edge; empty where it fits or may not be.
+std::vector<char> cuts_of(const CraftOptions& options, const Unfolding& net, double scale) {
+  if (!options.layout.split || !options.layout.size.is_given()) return {};
+  return page_cuts(net, scale, options.layout);
+}
+
+// A net that is cut to fit pages gives way to one that is cut into as many pieces, but more compact ones.
+void improve_pieces(const Mesh& mesh, const CraftOptions& options, double scale, const Run& run, FoldForest& forest,
+                    CraftResult& result) {
+  const std::vector<char> at = cuts_of(options, result.net, scale);
+  if (at.empty()) return;
+  OptimizeOptions wanted = better_for(options, mesh, scale, kImprovingStepsOfPieces);
+  wanted.steps = std::min(wanted.steps, kMostImprovingStepsOfPieces);
+  wanted.weights.hull_area += wanted.weights.sheet_area;  // pieces share a sheet
+  wanted.weights.sheet_area = 0;
+  wanted.room = room_without_tabs(options.layout) / scale;
+  wanted.cuts.assign(mesh.num_edges(), 0);
+  for (std::size_t e = 0; e < at.size(); ++e)
+    if (at[e]) wanted.cuts[result.net.mesh_edge[e]] = 1;
+  if (!improve(mesh, wanted, run, result.net, result.verdict, result.motion, forest)) return;
+  for (const int e : result.net.mesh_edge) result.page_cuts.push_back(e >= 0 && wanted.cuts[e]);
+}
+
+// Of the hulls of the pieces that the net is cut into for its pages.
+double hulls_when_cut(const CraftOptions& options, const Unfolding& net, double scale) {
+  std::vector<char> cuts = cuts_of(options, net, scale);
+  cuts.resize(net.sheet.edges.size(), 0);
+  return measure_for_hands(cut_folds(net, cuts), scale).hull_area;
+}
+
+// A net that is more compact as a whole is mostly so in pieces, too; where it is not, the pieces of the first are
+// improved.
 void improve_net(const Mesh& mesh, const CraftOptions& options, const Run& run, CraftResult& result) {
   if (!result.motion || !may_improve(options, mesh)) return;
   run.report("making the net better for hands", 0);
   FoldForest forest = forest_of(mesh, result.net);
-  const OptimizeOptions wanted = better_for(options, mesh, printed_scale(options, mesh, result.net));
-  improve(mesh, wanted, run, result.net, result.verdict, result.motion, forest);
+  const double scale = printed_scale(options, mesh, result.net);
+  const bool is_cut = !cuts_of(options, result.net, scale).empty();
+  const OptimizeOptions wanted = better_for(options, mesh, scale, is_cut ? kImprovingStepsOfPart : kImprovingSteps);
+  Unfolding net = result.net;
+  NetVerdict verdict = result.verdict;
+  std::optional<Motion> motion = result.motion;
+  FoldForest better = forest;
+  if (improve(mesh, wanted, run, net, verdict, motion, better) &&
+      (!is_cut || hulls_when_cut(options, net, scale) <= hulls_when_cut(options, result.net, scale))) {
+    result.net = std::move(net);
+    result.verdict = std::move(verdict);
+    result.motion = std::move(motion);
+    forest = std::move(better);
+  }
+  improve_pieces(mesh, options, scale, run, forest, result);
 }
 
 // The net that folds, or the one that comes closest, replaces the one found without regard to motion.
@@ -294,6 +341,7 @@ void add_pictures(const Mesh& mesh, const CraftOptions& options, CraftResult& re
 LayoutOptions layout_of(const Mesh& mesh, const CraftOptions& options, const CraftResult& result) {
   LayoutOptions layout = options.layout;
   layout.size.fill_page = true;
+  layout.cuts = result.page_cuts;
   layout.may_give_up = result.net.sheet.num_faces() > kMostWorkedOnLate;
   if (result.kit) {
     layout.titles = part_titles(result.kit->parts.names, result.kit->pieces);

@@ -55,6 +55,7 @@ struct CraftResult {
   Ending ending = Ending::Exhausted;
   Unfolding net;
   NetVerdict verdict;
+  std::vector<char> page_cuts;   // folds of `net`, by edge, at which it was made to be cut for pages; empty for none
   std::optional<Kit> kit;        // of a mesh in several pieces that are to fold: each with its own net and motion
   std::optional<Motion> motion;  // the best that was found, proven or not
   std::string motion_kind;       // "linear", "uniform", "planned"; empty without a motion

@@ -44,6 +44,7 @@ std::optional<LargerPages> larger_pages(const Unfolding& net, const FoldedShape&
   const double middle = median(lengths_in_mm(net, report.scale));
   LayoutOptions larger = options;
   larger.split = true;
+  larger.cuts.clear();  // they were found for this size
   Run quiet = run;
   quiet.progress = nullptr;
   for (const double factor : {1.25, 1.6, 2.0, 2.5, 3.2, 4.0}) {

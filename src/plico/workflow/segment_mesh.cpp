@@ -8,8 +8,8 @@
 #include <set>
 
 #include "plico/base/error.h"
-#include "plico/fabricate/split.h"
 #include "plico/geom/convex2.h"
+#include "plico/geom/rectangle_fit.h"
 #include "plico/mesh/measures.h"
 #include "plico/segment/clusters.h"
 #include "plico/segment/coarse.h"

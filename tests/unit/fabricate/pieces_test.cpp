@@ -6,6 +6,7 @@
 #include "plico/fabricate/cells.h"
 #include "plico/fabricate/split.h"
 #include "plico/geom/convex2.h"
+#include "plico/geom/rectangle_fit.h"
 
 namespace plico {
 namespace {

@@ -2,8 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "mesh_samples.h"
 #include "plico/base/error.h"
+#include "plico/geom/convex2.h"
+#include "plico/geom/polygon.h"
+#include "plico/geom/rectangle_fit.h"
 #include "plico/shapes/named_shapes.h"
 #include "plico/unfold/by_component.h"
 #include "plico/unfold/search.h"
@@ -77,6 +82,45 @@ TEST(Optimize, TheBestNetStaysAsItIs) {
   const OptimizeResult result = optimize_net(mesh, some_net(mesh), options);
   EXPECT_LE(result.after.cut_length, result.before.cut_length);
   EXPECT_TRUE(is_net(mesh, result.forest));
+}
+
+// Every piece of the net in the plane, when it is cut at some of its folds.
+std::vector<std::vector<Vec2>> hulls_of_pieces(const Mesh& mesh, const FoldForest& net, const std::vector<char>& cuts) {
+  FoldForest pieces = net;
+  for (std::size_t e = 0; e < cuts.size(); ++e)
+    if (cuts[e]) pieces.is_fold[e] = 0;
+  const Unfolding laid = lay_flat(mesh, pieces);
+  std::vector<std::vector<Vec2>> hulls(laid.num_parts());
+  for (int f = 0; f < laid.sheet.num_faces(); ++f)
+    for (int v : laid.sheet.faces[f]) hulls[laid.part[f]].push_back(laid.sheet.vertices[v]);
+  for (auto& hull : hulls) hull = convex_hull(std::move(hull));
+  return hulls;
+}
+
+TEST(Optimize, PiecesOfANetBecomeCompactAndGoOnFittingTheirRoom) {
+  const Mesh mesh = bumpy_sphere(2, 0.25, 3);
+  const FoldForest net = some_net(mesh);
+  OptimizeOptions options = quick({.hull_area = 1});
+  options.starts = 0;
+  options.cuts.assign(mesh.num_edges(), 0);
+  int folds = 0;
+  for (EdgeId e : mesh.edges())
+    if (net.is_fold[e] && ++folds % 50 == 25) options.cuts[e] = 1;
+  const auto fits = [&](const auto& hull) { return angle_that_fits(hull, options.room).has_value(); };
+  const auto before = hulls_of_pieces(mesh, net, options.cuts);
+  options.room = Vec2(1, 1.4);
+  while (!std::ranges::all_of(before, fits)) options.room *= 1.05;
+  const OptimizeResult result = optimize_net(mesh, net, options);
+  const auto after = hulls_of_pieces(mesh, result.forest, options.cuts);
+  double area = 0;
+  for (const auto& hull : after) area += signed_area(hull);
+  EXPECT_EQ(after.size(), before.size());
+  EXPECT_NEAR(area, result.after.hull_area, 1e-9 * area);
+  EXPECT_LT(result.after.hull_area, 0.9 * result.before.hull_area);
+  EXPECT_TRUE(std::ranges::all_of(after, fits));
+  EXPECT_TRUE(is_net(mesh, result.forest));
+  options.starts = 1;  // nets grown afresh have other folds
+  EXPECT_THROW(optimize_net(mesh, net, options), InvalidOption);
 }
 
 TEST(Optimize, EndsAtTheDeadlineWithANet) {
