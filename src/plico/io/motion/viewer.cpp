@@ -80,9 +80,11 @@ std::vector<Vec2> in_rows(const std::vector<Page>& pages) {
   Vec2 largest = Vec2::Zero();
   for (const Page& page : pages) largest = largest.cwiseMax(page.size);
   std::vector<Vec2> at;
-  for (std::size_t i = 0; i < pages.size(); ++i)
-    at.push_back(Vec2(static_cast<double>(i % columns), -static_cast<double>(i / columns))
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    const std::size_t row = i / columns, column = i % columns;
+    at.push_back(Vec2(static_cast<double>(column), -static_cast<double>(row))
                      .cwiseProduct(largest + Vec2::Constant(kPageGap)));
+  }
   return at;
 }
 
