@@ -82,8 +82,8 @@ std::vector<Vec2> in_rows(const std::vector<Page>& pages) {
   std::vector<Vec2> at;
   for (std::size_t i = 0; i < pages.size(); ++i) {
     const std::size_t row = i / columns, column = i % columns;
-    at.push_back(Vec2(static_cast<double>(column), -static_cast<double>(row))
-                     .cwiseProduct(largest + Vec2::Constant(kPageGap)));
+    at.push_back(
+        Vec2(static_cast<double>(column), -static_cast<double>(row)).cwiseProduct(largest + Vec2::Constant(kPageGap)));
   }
   return at;
 }
