@@ -44,9 +44,9 @@ struct LayoutOptions {
   TabOptions tabs;
   LabelOptions labels;
   MarkOptions marks;
-  bool split = false;  // cut parts that are too large for a page:
-  std::vector<char>
-      cuts;  // at these folds, by edge of the net, and where that does not do at others; empty: none known
+  bool split = false;  // cut parts that are too large for a page
+  // Folds to cut them at, by edge of the net, from page_cuts(); where these do not do others are cut, too. May be empty.
+  std::vector<char> cuts;
   WeakFolds weak_folds = WeakFolds::Keep;
   double flat = radians(0.5);      // folds up to this angle count as flat, radians
   std::vector<PartTitle> titles;   // of each part of the net; empty: "A", "B", ...
