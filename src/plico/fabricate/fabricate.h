@@ -45,7 +45,8 @@ struct LayoutOptions {
   LabelOptions labels;
   MarkOptions marks;
   bool split = false;  // cut parts that are too large for a page
-  // Folds to cut them at, by edge of the net, from page_cuts(); where these do not do others are cut, too. May be empty.
+  // Folds to cut them at, by edge of the net, from page_cuts(); where these do not do others are cut, too. May be
+  // empty.
   std::vector<char> cuts;
   WeakFolds weak_folds = WeakFolds::Keep;
   double flat = radians(0.5);      // folds up to this angle count as flat, radians
