@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <string>
 
 namespace plico::cli {
 namespace {
@@ -30,13 +33,32 @@ constexpr double kSlowness = 1;
 #endif
 constexpr double kGrace = 0.9 * kSlowness;     // seconds, so that the program has ended within one
 constexpr double kLongest = 8 * kSlowness;     // where others have the processor
-constexpr double kIdle = 0.9, kLittle = 5e-3;  // less work than this in that time: it waits, for input or a pipe
+constexpr double kIdle = 0.9, kLittle = 5e-3;  // less work than this in that time: it waits, for input or a pipe,
+                                               // unless a thread wants a processor and gets none
 constexpr std::chrono::milliseconds kTick(20);
 
-double processor_seconds() {
+double seconds_of(clockid_t clock) {
   timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  clock_gettime(clock, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+// All threads but this one, which only watches.
+double seconds_of_others() { return seconds_of(CLOCK_PROCESS_CPUTIME_ID) - seconds_of(CLOCK_THREAD_CPUTIME_ID); }
+
+// Is there a thread besides this one that runs or could run? Linux tells; elsewhere no. Source: proc(5), field "state".
+bool others_want_processor() {
+  std::error_code none;
+  const std::string own = std::to_string(gettid());
+  std::filesystem::directory_iterator thread("/proc/self/task", none);
+  for (; !none && thread != std::filesystem::directory_iterator(); thread.increment(none)) {
+    if (thread->path().filename() == own) continue;
+    std::string stat;
+    std::getline(std::ifstream(thread->path() / "stat"), stat);
+    const std::size_t name_ends = stat.rfind(')');
+    if (name_ends != std::string::npos && stat.compare(name_ends, 3, ") R") == 0) return true;
+  }
+  return false;
 }
 
 sigset_t stopping_signals() {
@@ -59,8 +81,8 @@ class StopSignal::Grace {
   // To be asked often, since it sees by that whether the work goes on.
   bool is_over() {
     const Clock::time_point now = Clock::now();
-    const double worked = processor_seconds();
-    if (worked - worked_when_busy_ > kLittle) busy_ = now, worked_when_busy_ = worked;
+    const double worked = seconds_of_others();
+    if (worked - worked_when_busy_ > kLittle || others_want_processor()) busy_ = now, worked_when_busy_ = worked;
     const double passed = duration<double>(now - begin_).count(), idle = duration<double>(now - busy_).count();
     return idle > kIdle || (passed > kGrace && (worked - worked_before_ > kGrace || passed > kLongest));
   }
@@ -68,7 +90,7 @@ class StopSignal::Grace {
  private:
   jobs::ExitCode because_;
   Clock::time_point begin_ = Clock::now(), busy_ = begin_;
-  double worked_before_ = processor_seconds(), worked_when_busy_ = worked_before_;
+  double worked_before_ = seconds_of_others(), worked_when_busy_ = worked_before_;
 };
 
 StopSignal::StopSignal(double time_limit, std::function<void(jobs::ExitCode)> give_up) : give_up_(std::move(give_up)) {
