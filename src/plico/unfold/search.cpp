@@ -37,8 +37,9 @@ constexpr int kWeightStep = 20;
 constexpr int kFewestSides = 8;
 // On large meshes a few big branches come to lie on each other, and small steps go round them for a long time. From
 // this many faces on every so many-th step tries to hang a branch of at least kBigBranch panels by one of kBigSides
-// sides; the other steps do with a part of the effort, and of what is gathered kGatheredALook panels count as a look.
-constexpr int kLargeMesh = 2000, kBigStepEvery = 5, kBigBranch = 32, kBigSides = 16, kPartOfEffort = 4,
+// sides; the other steps do with a part of the effort and leave branches of more than a kBigPart-th of the mesh alone,
+// and of what is gathered kGatheredALook panels count as a look.
+constexpr int kLargeMesh = 2000, kBigStepEvery = 5, kBigBranch = 32, kBigSides = 16, kPartOfEffort = 4, kBigPart = 50,
               kGatheredALook = 8;
 
 // The search within one connected mesh.
@@ -52,7 +53,8 @@ class Search {
         run_(run),
         tabu_until_(mesh_.num_edges(), -1),
         large_(mesh_.num_faces() >= kLargeMesh),
-        effort_(large_ ? std::max(options.effort / kPartOfEffort, 1) : options.effort) {}
+        effort_(large_ ? std::max(options.effort / kPartOfEffort, 1) : options.effort),
+        most_(large_ ? mesh_.num_faces() / kBigPart : mesh_.num_faces()) {}
 
   Ending go(long& steps, long max_steps) {
     while (tree_.num_overlaps() > 0) {
@@ -84,6 +86,7 @@ class Search {
     long looked = 0;
     for (int panel : subtrees_between(a, b)) {
       const long enough = best.panel < 0 ? kPatience * effort_ : best.change < 0 ? effort_ / 4 : effort_;
+      if (looked > 0 && tree_.subtree_size(panel) > most_) break;
       if (looked > enough || try_hangings(panel, best, looked, kFewestSides)) break;
     }
     if (best.change == 0) tree_.aggravate(a, b, kWeightStep);
@@ -172,6 +175,7 @@ class Search {
   std::vector<long> tabu_until_;  // by edge: the step from which it may become a fold again
   const bool large_;
   const int effort_;  // panels looked at in a step
+  const int most_;    // panels of a branch that resolve() moves
   std::vector<int> between_, sides_;
   long step_ = 0;
   int ties_ = 1;
