@@ -1,4 +1,4 @@
-// node build_page.mjs ESBUILD MODULE_FOLDER OUTPUT: the studio as one HTML file, with plico.wasm of MODULE_FOLDER inside.
+// node build_page.mjs ESBUILD MODULE_FOLDER OUTPUT: the studio as one HTML file, with the module of MODULE_FOLDER inside.
 import { execFileSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { readFileSync, writeFileSync } from 'node:fs';
@@ -39,15 +39,16 @@ const hash = createHash('sha256').update(script).digest('base64');
 const policy = "default-src 'none'; script-src 'sha256-HASH' 'wasm-unsafe-eval' blob:; worker-src blob:; img-src data: blob:; " +
   "style-src 'unsafe-inline'; connect-src 'none'; base-uri 'none'; form-action 'none'";
 // No position bits: code of this kind has no rhythm of 4 or 8 bytes.
-const wasm = readFileSync(join(modules, 'plico.wasm'));
-const packed = execFileSync('xz', ['--format=lzma', '--lzma1=preset=9e,lc=4,lp=0,pb=0', '--stdout'], { input: wasm, maxBuffer: 1 << 26 });
+const worker = Buffer.from(bundle('core/worker.ts', 'iife')), core = Buffer.concat([worker, readFileSync(join(modules, 'plico.wasm'))]);
+const packed = execFileSync('xz', ['--format=lzma', '--lzma1=preset=9e,lc=4,lp=0,pb=0', '--stdout'], { input: core, maxBuffer: 1 << 26 });
 const parts = {
   POLICY: policy.replace('HASH', hash),
   STYLE: readFileSync(join(source, 'style.css'), 'utf8'),
-  WASM: text91(packed),
+  CORE: text91(packed),
   PACKED: String(packed.length),
-  BYTES: String(wasm.length),
-  WORKER: bundle('core/worker.ts', 'iife'),
+  BYTES: String(core.length),
+  SCRIPTBYTES: String(worker.length),
+  LOADER: bundle('core/loader.ts', 'iife'),
   PAINTER: bundle('views/painter_worker.ts', 'iife'),
   FILE: 'null',
   SCRIPT: script,

@@ -383,9 +383,9 @@ class Studio {
 
 async function start(): Promise<void> {
   try {
-    const { textContent: text, dataset } = byId('wasm');
-    const packed = { text: text!.trim(), packedBytes: Number(dataset['packed']), bytes: Number(dataset['bytes']) };
-    const studio = new Studio(new Core(byId('worker').textContent!, packed));
+    const { textContent: text, dataset } = byId('core'), size = (name: string): number => Number(dataset[name]);
+    const packed = { text: text!.trim(), packedBytes: size('packed'), bytes: size('bytes'), scriptBytes: size('script') };
+    const studio = new Studio(new Core(byId('loader').textContent!, packed));
     window.studio = { session: studio.session, tab: (tab) => studio.show(tab), pattern: studio.patternPanel, inflate: studio.inflatePanel };
     await studio.begin();
   } catch (error) {

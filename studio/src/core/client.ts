@@ -1,5 +1,5 @@
 // The page's end of the worker: calls in order, progress, and a stop that works at any time.
-import type { Begin, Calls, Failure, PackedModule, Progress, Reply, Unpacked } from './protocol';
+import type { Begin, Calls, Failure, Packed, Progress, Reply, Unpacked } from './protocol';
 
 export class Refused extends Error {
   constructor(readonly failure: Failure) {
@@ -18,10 +18,11 @@ export class Core {
   private worker!: Worker;
   private waiting = new Map<number, Waiting>();
   private lastId = 0;
+  private unpacked?: Unpacked;
   private broken?: Failure; // why the worker did not start
   onRestart = (): void => undefined;
 
-  constructor(private readonly script: string, private module: PackedModule | ArrayBuffer) {
+  constructor(private readonly loader: string, private readonly packed: Packed) {
     this.start();
   }
 
@@ -51,14 +52,14 @@ export class Core {
 
   private start(): void {
     this.broken = undefined;
-    const url = URL.createObjectURL(new Blob([this.script], { type: 'text/javascript' }));
+    const url = URL.createObjectURL(new Blob([this.unpacked?.script ?? this.loader], { type: 'text/javascript' }));
     this.worker = new Worker(url);
     this.worker.onmessage = (event: MessageEvent<Reply | Unpacked>) => {
-      if ('module' in event.data) this.module = event.data.module;
+      if ('module' in event.data) this.unpacked = event.data;
       else this.hear(event.data);
     };
     this.worker.onerror = (event) => this.fail(event.message);
-    this.worker.postMessage({ begin: this.module } satisfies Begin);
+    this.worker.postMessage(this.unpacked ? { begin: this.unpacked.module, isFirst: false } satisfies Begin : this.packed);
   }
 
   private hear(reply: Reply): void {

@@ -1,9 +1,7 @@
 // The worker: Plico's module, one model at a time.
 import createPlico from 'plico-module';
-import type { Begin, Calls, Edit, Failure, Inflated, JobDescription, PackedModule, Reply, Request, Snapshot, Unpacked, Verdict } from './protocol';
+import type { Begin, Calls, Edit, Failure, Inflated, JobDescription, Reply, Request, Snapshot, Verdict } from './protocol';
 import { tablesOf } from './faces';
-import { unpacked } from './lzma';
-import { decoded } from './text91';
 
 const refused = (failure: Failure): Error => Object.assign(new Error(failure.message), { failure });
 
@@ -117,20 +115,37 @@ function arraysIn(value: unknown, found = new Set<ArrayBuffer>()): ArrayBuffer[]
   return [...found];
 }
 
-// The engine compiles a function when it is called first. What the first file will call is called once before, with a
-// shape that nobody sees.
+// The engine compiles a function when it is called first. What the first file will call is called once before, with
+// shapes that nobody sees: a bumpy torus and a tetrahedron.
 const kTetrahedron = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n';
-function warm(plico: any): void {
-  const all = start(plico, () => undefined);
-  const { files } = all.job('sample', [['name', 'dinosaur'], ['faces', '120'], ['output', 'warm.obj']], {});
-  all.open('warm.obj', files['warm.obj']!);
+function torus(): string {
+  const lines: string[] = [], n = 8;
+  const corner = (i: number, j: number): number => 1 + (i % n) * n + (j % n);
+  for (let i = 0; i < n; ++i)
+    for (let j = 0; j < n; ++j) {
+      const u = (2 * Math.PI * i) / n, v = (2 * Math.PI * j) / n, r = 3 + (1 + 0.2 * Math.sin(3 * u + v)) * Math.cos(v);
+      lines.push(`v ${r * Math.cos(u)} ${r * Math.sin(u)} ${Math.sin(v)}`);
+    }
+  for (let i = 0; i < n; ++i)
+    for (let j = 0; j < n; ++j)
+      lines.push(`f ${corner(i, j)} ${corner(i + 1, j)} ${corner(i + 1, j + 1)}`, `f ${corner(i, j)} ${corner(i + 1, j + 1)} ${corner(i, j + 1)}`);
+  return lines.join('\n');
+}
+/** Call by call, so that one of the page's never waits long. */
+function* warming(plico: any): Generator {
+  const all = start(plico, () => undefined), bytes = (text: string): Uint8Array => new TextEncoder().encode(text);
+  yield all.open('warm.obj', bytes(torus()));
   const edge = all.editFor(7);
-  if (edge) all.preview(edge), all.apply(edge);
-  all.open('warm.obj', new TextEncoder().encode(kTetrahedron));
-  all.apply(all.search(true));
-  all.motion(false);
-  all.fold(0.5);
-  all.project();
+  if (edge) yield all.preview(edge), yield all.apply(edge);
+  yield all.open('warm.obj', bytes(kTetrahedron));
+  const net = all.search(true);
+  yield all.apply(net);
+  yield all.motion(false);
+  yield all.fold(0.5);
+  yield all.project();
+}
+async function warm(plico: any): Promise<void> {
+  for (const _ of warming(plico)) await new Promise((done) => setTimeout(done));
 }
 
 let calls: Promise<Calls>;
@@ -142,23 +157,15 @@ function report(phase: string, done: number, total: number, note: string): void 
   postMessage({ id: current, progress: { phase, done, total, note } } satisfies Reply);
 }
 
-function moduleOf({ text, packedBytes, bytes }: PackedModule): ArrayBuffer {
-  const { buffer } = unpacked(decoded(text, packedBytes), bytes);
-  postMessage({ module: buffer } satisfies Unpacked);
-  return buffer;
-}
-
-async function begin(from: PackedModule | ArrayBuffer): Promise<Calls> {
-  const isFirst = !(from instanceof ArrayBuffer);
-  const wasmBinary = isFirst ? moduleOf(from) : from;
+async function begin({ begin: wasmBinary, isFirst }: Begin): Promise<Calls> {
   const plico = await createPlico({ wasmBinary, locateFile: (path: string) => path });
-  if (isFirst) warm(plico);
+  if (isFirst) setTimeout(() => void warm(plico));
   return start(plico, report);
 }
 
 addEventListener('message', async (event: MessageEvent<Request | Begin>) => {
   if ('begin' in event.data) {
-    calls = begin(event.data.begin);
+    calls = begin(event.data);
     calls.catch(() => undefined); // told to whoever asks
     return;
   }
