@@ -15,17 +15,17 @@ function bundle(entry, format) {
   return text.toString().replaceAll('</script', '<\\/script');
 }
 
-// What src/core/text91.ts reads; the last two characters may hold more bits than there are.
-function text91(bytes) {
-  const digits = [...Array(94).keys()].map((i) => String.fromCharCode(33 + i)).filter((c) => !"<&'".includes(c));
+// What src/core/text93.ts reads; the last two characters may hold more bits than there are.
+function text93(bytes) {
+  const digits = [...Array(94).keys()].map((i) => String.fromCharCode(33 + i)).filter((c) => c !== '<');
   const text = [];
   let bits = 0, held = 0;
-  const write = (pair) => text.push(digits[pair % 91], digits[Math.floor(pair / 91)]);
+  const write = (pair) => text.push(digits[pair % 93], digits[Math.floor(pair / 93)]);
   for (const byte of bytes) {
     bits |= byte << held;
     held += 8;
     if (held <= 13) continue;
-    const short = (bits & 8191) > 88;
+    const short = (bits & 8191) > 456;
     write(bits & (short ? 8191 : 16383));
     bits >>>= short ? 13 : 14;
     held -= short ? 13 : 14;
@@ -43,8 +43,8 @@ const worker = Buffer.from(bundle('core/worker.ts', 'iife')), core = Buffer.conc
 const packed = execFileSync('xz', ['--format=lzma', '--lzma1=preset=9e,lc=4,lp=0,pb=0', '--stdout'], { input: core, maxBuffer: 1 << 26 });
 const parts = {
   POLICY: policy.replace('HASH', hash),
-  STYLE: readFileSync(join(source, 'style.css'), 'utf8'),
-  CORE: text91(packed),
+  STYLE: execFileSync(esbuild, ['--minify', '--log-level=error', join(source, 'style.css')]).toString(),
+  CORE: text93(packed),
   PACKED: String(packed.length),
   BYTES: String(core.length),
   SCRIPTBYTES: String(worker.length),

@@ -47,7 +47,7 @@ class Studio {
     const point = (edge: number): void => void this.point(edge);
     const click = (edge: number, event: PointerEvent): void => void this.act(edge, event.shiftKey);
     this.space = new SpaceView(byId('space'), byId('painter').textContent!, colors.space, point, click, (works) => (byId('no-space').hidden = works));
-    this.sheet = new SheetView(byId('sheet'), colors.sheet, point, click);
+    this.sheet = new SheetView(byId('sheet'), byId('painter').textContent!, colors.sheet, point, click);
     this.foldPanel = new FoldPanel(this.session, this.space, (work) => this.guarded(work), (p) => this.progress(p));
     this.pagesPanel = new PagesPanel(this.session, (work) => this.guarded(work));
     this.jobsPanel = new JobsPanel(this.session, (work) => this.guarded(work), (p) => this.progress(p), (name, bytes) => this.openMade(name, bytes),

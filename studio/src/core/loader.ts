@@ -2,7 +2,7 @@
 /// <reference lib="webworker.importscripts" />
 import type { Begin, Packed, Unpacked } from './protocol';
 import { unpacked } from './lzma';
-import { decoded } from './text91';
+import { decoded } from './text93';
 
 addEventListener('message', ({ data: { text, packedBytes, bytes, scriptBytes } }: MessageEvent<Packed>) => {
   const all = unpacked(decoded(text, packedBytes), bytes);

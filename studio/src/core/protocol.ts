@@ -112,7 +112,7 @@ export interface Progress {
   note: string;
 }
 
-/** The worker's script and after it the module, as the page holds them: LZMA in text91. */
+/** The worker's script and after it the module, as the page holds them: LZMA in text93. */
 export interface Packed {
   text: string;
   packedBytes: number;
