@@ -14,6 +14,8 @@ interface Waiting {
   progress?: (progress: Progress) => void;
 }
 
+const workerOf = (script: string): Worker => new Worker(URL.createObjectURL(new Blob([script], { type: 'text/javascript' })));
+
 export class Core {
   private worker!: Worker;
   private waiting = new Map<number, Waiting>();
@@ -52,14 +54,18 @@ export class Core {
 
   private start(): void {
     this.broken = undefined;
-    const url = URL.createObjectURL(new Blob([this.unpacked?.script ?? this.loader], { type: 'text/javascript' }));
-    this.worker = new Worker(url);
+    this.worker = workerOf(this.unpacked?.script ?? this.loader);
     this.worker.onmessage = (event: MessageEvent<Reply | Unpacked>) => {
-      if ('module' in event.data) this.unpacked = event.data;
+      if ('module' in event.data) this.warm(event.data);
       else this.hear(event.data);
     };
     this.worker.onerror = (event) => this.fail(event.message);
-    this.worker.postMessage(this.unpacked ? { begin: this.unpacked.module, isFirst: false } satisfies Begin : this.packed);
+    this.worker.postMessage(this.unpacked ? { begin: this.unpacked.module } satisfies Begin : this.packed);
+  }
+  /** The engine's code is the module's, whichever worker makes it compile that: one that nobody waits for. */
+  private warm(unpacked: Unpacked): void {
+    this.unpacked = unpacked;
+    workerOf(unpacked.script).postMessage({ warm: unpacked.module } satisfies Begin);
   }
 
   private hear(reply: Reply): void {

@@ -6,8 +6,8 @@ import { decoded } from './text93';
 
 addEventListener('message', ({ data: { text, packedBytes, bytes, scriptBytes } }: MessageEvent<Packed>) => {
   const all = unpacked(decoded(text, packedBytes), bytes);
-  const script = new TextDecoder().decode(all.subarray(0, scriptBytes)), module = all.slice(scriptBytes).buffer;
-  postMessage({ script, module } satisfies Unpacked);
+  const script = new TextDecoder().decode(all.subarray(0, scriptBytes)), module = WebAssembly.compile(all.subarray(scriptBytes));
   importScripts(URL.createObjectURL(new Blob([script], { type: 'text/javascript' })));
-  dispatchEvent(new MessageEvent('message', { data: { begin: module, isFirst: true } satisfies Begin }));
+  dispatchEvent(new MessageEvent('message', { data: { begin: module } satisfies Begin }));
+  module.then((compiled) => postMessage({ script, module: compiled } satisfies Unpacked), () => undefined); // worker.ts tells why
 }, { once: true });

@@ -119,13 +119,13 @@ export interface Packed {
   bytes: number;
   scriptBytes: number;
 }
-/** What the loader sends back, so that the next worker needs no loader. */
+/** What the loader sends back: later workers need no loader, and go on with all that the engine has compiled. */
 export interface Unpacked {
   script: string;
-  module: ArrayBuffer;
+  module: WebAssembly.Module;
 }
-/** What a worker begins with; the first warms up. */
-export type Begin = { begin: ArrayBuffer; isFirst: boolean };
+/** What a worker begins with, or only warms up for the others. */
+export type Begin = { begin: WebAssembly.Module | Promise<WebAssembly.Module> } | { warm: WebAssembly.Module };
 
 export type Request = { id: number; call: keyof Calls; args: unknown[] };
 /** `ended`: this worker can do no more. */

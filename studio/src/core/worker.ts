@@ -115,37 +115,32 @@ function arraysIn(value: unknown, found = new Set<ArrayBuffer>()): ArrayBuffer[]
   return [...found];
 }
 
-// The engine compiles a function when it is called first. What the first file will call is called once before, with
-// shapes that nobody sees: a bumpy torus and a tetrahedron.
-const kTetrahedron = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n';
-function torus(): string {
-  const lines: string[] = [], n = 8;
-  const corner = (i: number, j: number): number => 1 + (i % n) * n + (j % n);
-  for (let i = 0; i < n; ++i)
-    for (let j = 0; j < n; ++j) {
-      const u = (2 * Math.PI * i) / n, v = (2 * Math.PI * j) / n, r = 3 + (1 + 0.2 * Math.sin(3 * u + v)) * Math.cos(v);
-      lines.push(`v ${r * Math.cos(u)} ${r * Math.sin(u)} ${Math.sin(v)}`);
+// The engine compiles a function when it is called first, and better when it was called often. What the first file will
+// call is called before, with a bumpy ball that nobody sees.
+function ball(): string {
+  const lines = ['v 0 0 1', 'v 0 0 -1'], n = 8;
+  const corner = (ring: number, i: number): number => (ring === 0 ? 1 : ring === n ? 2 : 3 + (ring - 1) * n + (i % n));
+  for (let ring = 1; ring < n; ++ring)
+    for (let i = 0; i < n; ++i) {
+      const u = (2 * Math.PI * i) / n, v = (Math.PI * ring) / n, r = 1 + 0.15 * Math.sin(3 * u + 2 * v);
+      lines.push(`v ${r * Math.sin(v) * Math.cos(u)} ${r * Math.sin(v) * Math.sin(u)} ${r * Math.cos(v)}`);
     }
-  for (let i = 0; i < n; ++i)
-    for (let j = 0; j < n; ++j)
-      lines.push(`f ${corner(i, j)} ${corner(i + 1, j)} ${corner(i + 1, j + 1)}`, `f ${corner(i, j)} ${corner(i + 1, j + 1)} ${corner(i, j + 1)}`);
+  for (let ring = 0; ring < n; ++ring)
+    for (let i = 0; i < n; ++i) {
+      if (ring > 0) lines.push(`f ${corner(ring, i)} ${corner(ring + 1, i)} ${corner(ring, i + 1)}`);
+      if (ring + 1 < n) lines.push(`f ${corner(ring, i + 1)} ${corner(ring + 1, i)} ${corner(ring + 1, i + 1)}`);
+    }
   return lines.join('\n');
 }
-/** Call by call, so that one of the page's never waits long. */
-function* warming(plico: any): Generator {
-  const all = start(plico, () => undefined), bytes = (text: string): Uint8Array => new TextEncoder().encode(text);
-  yield all.open('warm.obj', bytes(torus()));
+function warm(all: Calls): void {
+  all.open('warm.obj', new TextEncoder().encode(ball()));
   const edge = all.editFor(7);
-  if (edge) yield all.preview(edge), yield all.apply(edge);
-  yield all.open('warm.obj', bytes(kTetrahedron));
-  const net = all.search(true);
-  yield all.apply(net);
-  yield all.motion(false);
-  yield all.fold(0.5);
-  yield all.project();
-}
-async function warm(plico: any): Promise<void> {
-  for (const _ of warming(plico)) await new Promise((done) => setTimeout(done));
+  if (edge) all.preview(edge), all.apply(edge);
+  all.apply(all.search(true));
+  all.motion(false);
+  all.fold(0.5);
+  all.project();
+  close();
 }
 
 let calls: Promise<Calls>;
@@ -157,15 +152,22 @@ function report(phase: string, done: number, total: number, note: string): void 
   postMessage({ id: current, progress: { phase, done, total, note } } satisfies Reply);
 }
 
-async function begin({ begin: wasmBinary, isFirst }: Begin): Promise<Calls> {
-  const plico = await createPlico({ wasmBinary, locateFile: (path: string) => path });
-  if (isFirst) setTimeout(() => void warm(plico));
+async function begin(source: WebAssembly.Module | Promise<WebAssembly.Module>): Promise<Calls> {
+  const module = await source;
+  const plico = await new Promise((done, refuse) => {
+    const instantiateWasm = (imports: WebAssembly.Imports, receive: (instance: WebAssembly.Instance) => void): object => {
+      WebAssembly.instantiate(module, imports).then(receive, refuse);
+      return {};
+    };
+    createPlico({ instantiateWasm, locateFile: (path: string) => path }).then(done, refuse);
+  });
   return start(plico, report);
 }
 
 addEventListener('message', async (event: MessageEvent<Request | Begin>) => {
+  if ('warm' in event.data) return warm(await begin(event.data.warm));
   if ('begin' in event.data) {
-    calls = begin(event.data);
+    calls = begin(event.data.begin);
     calls.catch(() => undefined); // told to whoever asks
     return;
   }
