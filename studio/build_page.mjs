@@ -1,4 +1,4 @@
-// node build_page.mjs ESBUILD MODULE_FOLDER OUTPUT: the studio as one HTML file, with plico.wasm of MODULE_FOLDER inside.
+// node build_page.mjs ESBUILD MODULE_FOLDER OUTPUT: the studio as one HTML file, with the module of MODULE_FOLDER inside.
 import { execFileSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { readFileSync, writeFileSync } from 'node:fs';
@@ -15,17 +15,17 @@ function bundle(entry, format) {
   return text.toString().replaceAll('</script', '<\\/script');
 }
 
-// What src/core/text91.ts reads; the last two characters may hold more bits than there are.
-function text91(bytes) {
-  const digits = [...Array(94).keys()].map((i) => String.fromCharCode(33 + i)).filter((c) => !"<&'".includes(c));
+// What src/core/text93.ts reads; the last two characters may hold more bits than there are.
+function text93(bytes) {
+  const digits = [...Array(94).keys()].map((i) => String.fromCharCode(33 + i)).filter((c) => c !== '<');
   const text = [];
   let bits = 0, held = 0;
-  const write = (pair) => text.push(digits[pair % 91], digits[Math.floor(pair / 91)]);
+  const write = (pair) => text.push(digits[pair % 93], digits[Math.floor(pair / 93)]);
   for (const byte of bytes) {
     bits |= byte << held;
     held += 8;
     if (held <= 13) continue;
-    const short = (bits & 8191) > 88;
+    const short = (bits & 8191) > 456;
     write(bits & (short ? 8191 : 16383));
     bits >>>= short ? 13 : 14;
     held -= short ? 13 : 14;
@@ -39,15 +39,16 @@ const hash = createHash('sha256').update(script).digest('base64');
 const policy = "default-src 'none'; script-src 'sha256-HASH' 'wasm-unsafe-eval' blob:; worker-src blob:; img-src data: blob:; " +
   "style-src 'unsafe-inline'; connect-src 'none'; base-uri 'none'; form-action 'none'";
 // No position bits: code of this kind has no rhythm of 4 or 8 bytes.
-const wasm = readFileSync(join(modules, 'plico.wasm'));
-const packed = execFileSync('xz', ['--format=lzma', '--lzma1=preset=9e,lc=4,lp=0,pb=0', '--stdout'], { input: wasm, maxBuffer: 1 << 26 });
+const worker = Buffer.from(bundle('core/worker.ts', 'iife')), core = Buffer.concat([worker, readFileSync(join(modules, 'plico.wasm'))]);
+const packed = execFileSync('xz', ['--format=lzma', '--lzma1=preset=9e,lc=4,lp=0,pb=0', '--stdout'], { input: core, maxBuffer: 1 << 26 });
 const parts = {
   POLICY: policy.replace('HASH', hash),
-  STYLE: readFileSync(join(source, 'style.css'), 'utf8'),
-  WASM: text91(packed),
+  STYLE: execFileSync(esbuild, ['--minify', '--log-level=error', join(source, 'style.css')]).toString(),
+  CORE: text93(packed),
   PACKED: String(packed.length),
-  BYTES: String(wasm.length),
-  WORKER: bundle('core/worker.ts', 'iife'),
+  BYTES: String(core.length),
+  SCRIPTBYTES: String(worker.length),
+  LOADER: bundle('core/loader.ts', 'iife'),
   PAINTER: bundle('views/painter_worker.ts', 'iife'),
   FILE: 'null',
   SCRIPT: script,

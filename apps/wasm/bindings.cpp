@@ -209,14 +209,12 @@ class EditorBinding {
     return array_of("Float32Array", corners);
   }
   val hyperbolic_corners() const {  // of each corner whether its vertex is hyperbolic
-    const Mesh now = inflated();
-    std::vector<unsigned char> is(now.num_vertices()), corners;
-    for (VertexId v : now.vertices()) is[v] = is_hyperbolic(now, v);
-    for (int v : now.soup().corners) corners.push_back(is[v]);
+    std::vector<unsigned char> corners;
+    for (int v : live_->mesh().soup().corners) corners.push_back(static_cast<unsigned char>(live_->hyperbolic()[v]));
     return array_of("Uint8Array", corners);
   }
   val vertices() const { return array_of("Int32Array", editor_->project().mesh.soup().corners); }
-  val inflated_bytes() const { return bytes_of(write_mesh(inflated().soup(), MeshFormat::Obj)); }
+  val inflated_bytes() const { return bytes_of(write_mesh(live_->mesh().soup(), MeshFormat::Obj)); }
   std::string motion(bool plan, const val& listener) {
     return with(listener, [&](const Run& run) {
       const Motion& motion = editor_->judge_motion(plan, run);
@@ -232,15 +230,9 @@ class EditorBinding {
   val project_bytes() const { return bytes_of(write_project(editor_->project())); }
 
  private:
-  Mesh inflated() const {
-    PolygonSoup soup = editor_->project().mesh.soup();
-    soup.points = live_->result().points;
-    return Mesh(std::move(soup));
-  }
   json inflation() const {
     const Inflation& now = live_->result();
-    const Mesh mesh = inflated();
-    const Mesh& before = editor_->project().mesh;
+    const Mesh &mesh = live_->mesh(), &before = editor_->project().mesh;
     double most = 0;
     for (VertexId v : mesh.vertices()) most = std::max(most, (mesh.point(v) - before.point(v)).norm());
     return {{"steps", now.steps},

@@ -47,7 +47,7 @@ class Studio {
     const point = (edge: number): void => void this.point(edge);
     const click = (edge: number, event: PointerEvent): void => void this.act(edge, event.shiftKey);
     this.space = new SpaceView(byId('space'), byId('painter').textContent!, colors.space, point, click, (works) => (byId('no-space').hidden = works));
-    this.sheet = new SheetView(byId('sheet'), colors.sheet, point, click);
+    this.sheet = new SheetView(byId('sheet'), byId('painter').textContent!, colors.sheet, point, click);
     this.foldPanel = new FoldPanel(this.session, this.space, (work) => this.guarded(work), (p) => this.progress(p));
     this.pagesPanel = new PagesPanel(this.session, (work) => this.guarded(work));
     this.jobsPanel = new JobsPanel(this.session, (work) => this.guarded(work), (p) => this.progress(p), (name, bytes) => this.openMade(name, bytes),
@@ -383,9 +383,9 @@ class Studio {
 
 async function start(): Promise<void> {
   try {
-    const { textContent: text, dataset } = byId('wasm');
-    const packed = { text: text!.trim(), packedBytes: Number(dataset['packed']), bytes: Number(dataset['bytes']) };
-    const studio = new Studio(new Core(byId('worker').textContent!, packed));
+    const { textContent: text, dataset } = byId('core'), size = (name: string): number => Number(dataset[name]);
+    const packed = { text: text!.trim(), packedBytes: size('packed'), bytes: size('bytes'), scriptBytes: size('script') };
+    const studio = new Studio(new Core(byId('loader').textContent!, packed));
     window.studio = { session: studio.session, tab: (tab) => studio.show(tab), pattern: studio.patternPanel, inflate: studio.inflatePanel };
     await studio.begin();
   } catch (error) {

@@ -61,16 +61,22 @@ SkinEnergy::SkinEnergy(const Mesh& mesh, const SkinOptions& options, const std::
   for (FaceId f : kept)
     for (int v : mesh.corners(f)) fixed_[v] = 1;
   volume_ = volume(origin_);
-  classify(mesh);
+  classify(mesh, hyperbolic_vertices(mesh));
 }
 
-void SkinEnergy::classify(const Mesh& now) {
+std::vector<char> hyperbolic_vertices(const Mesh& mesh) {
+  std::vector<char> is(mesh.num_vertices());
+  for (VertexId v : mesh.vertices()) is[v] = is_hyperbolic(mesh, v);
+  return is;
+}
+
+void SkinEnergy::classify(const Mesh& now, const std::vector<char>& hyperbolic) {
   edge_stiffness_.assign(now.num_edges(), options_.edge_stiffness);
   anchor_stiffness_.assign(now.num_vertices(), 0);
   flatten_.assign(now.num_vertices(), 0);
   // The steepest descent of sum log(excess + kSoft): few vertices keep much rather than many a little. Negative
   // curvature cannot vanish where limbs meet a body, but it can gather.
-  for (VertexId v : now.vertices()) {
+  for (VertexId v : options_.flattening > 0 ? now.vertices() : IdRange<VertexId>(0)) {
     const double excess = std::max(angle_sum(now, v) - 2 * kPi, 0.0) + kSoft;
     flatten_[v] = 1 / (excess * excess);
   }
@@ -80,7 +86,7 @@ void SkinEnergy::classify(const Mesh& now) {
     if (angle < 0 || angle > options_.deep_angle) edge_stiffness_[e] *= options_.stiff_edges;
   }
   for (VertexId v : now.vertices())
-    anchor_stiffness_[v] = options_.anchor_stiffness * (is_hyperbolic(now, v) ? 1 : options_.stiff_anchors);
+    anchor_stiffness_[v] = options_.anchor_stiffness * (hyperbolic[v] ? 1 : options_.stiff_anchors);
 }
 
 double SkinEnergy::springs(const Eigen::VectorXd& x, Eigen::VectorXd& gradient) const {

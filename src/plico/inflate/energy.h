@@ -21,6 +21,8 @@ struct SkinOptions {
 };
 void check(const SkinOptions& options);  // throws InvalidOption
 
+std::vector<char> hyperbolic_vertices(const Mesh& mesh);  // of each whether it is; O(n)
+
 // Sum of (L - L0)^2 E / 2 over stretched edges, |x - P|^2 E_v / 2 over vertices, and pressure times
 //   - V0 log(V / V0): a sealed amount of air, whose pressure falls as 1 / V, so that every pressure has its minimum
 //     (with eq. 4.1's constant pressure the energy -p V falls faster than springs rise, and the skin bursts);
@@ -33,8 +35,9 @@ class SkinEnergy {
   // A closed triangle mesh of positive volume; vertices of `kept` faces do not move.
   SkinEnergy(const Mesh& mesh, const SkinOptions& options, const std::vector<FaceId>& kept);
 
-  // Which edges and anchors are stiff, by the shape as it is now (eqs. 4.6 and 4.8).
-  void classify(const Mesh& now);
+  // Which edges and anchors are stiff, by the shape as it is now and which of its vertices are hyperbolic (eqs. 4.6
+  // and 4.8).
+  void classify(const Mesh& now, const std::vector<char>& hyperbolic);
   // From here on the volume changes freely by this share of it, and is pushed back the more beyond. O(1).
   void hold_volume(double room) { room_ = room; }
   void fix(VertexId v) { fixed_[v] = 1; }

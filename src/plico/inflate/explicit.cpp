@@ -21,14 +21,17 @@ Mesh moved(const Mesh& mesh, std::vector<Vec3> points) {
 // Eq. 4.1: of each vertex, along the normals of its faces, weighted by their angles.
 Eigen::VectorXd pressure_forces(const Mesh& now, double pressure) {
   Eigen::VectorXd force = Eigen::VectorXd::Zero(3 * now.num_vertices());
-  for (FaceId f : now.faces())
-    for (HalfedgeId h : now.halfedges(f))
-      force.segment<3>(3 * now.from(h)) += pressure * corner_angle(now, h) * normal(now, f);
+  for (FaceId f : now.faces()) {
+    const Vec3 along = normal(now, f);
+    for (HalfedgeId h : now.halfedges(f)) force.segment<3>(3 * now.from(h)) += pressure * corner_angle(now, h) * along;
+  }
   return force;
 }
 
 // Did the step tear the skin?
 bool bursts(const Eigen::VectorXd& step) { return !(step.lpNorm<Eigen::Infinity>() < kFarthest); }
+
+int number_of(const std::vector<char>& flags) { return static_cast<int>(std::count(flags.begin(), flags.end(), 1)); }
 
 SkinOptions without_flattening(SkinOptions skin) {
   skin.flattening = 0;
@@ -49,7 +52,8 @@ ExplicitInflation::ExplicitInflation(const Mesh& mesh, const InflateOptions& opt
   result_.pressure = options.pressure > 0 ? options.pressure : 1;
   result_.limit = InflateLimit::Steps;
   result_.points = mesh.soup().points;
-  result_.hyperbolic_before = count_hyperbolic(mesh);
+  hyperbolic_ = hyperbolic_vertices(mesh);
+  result_.hyperbolic_before = number_of(hyperbolic_);
   look({});
 }
 
@@ -65,8 +69,10 @@ void ExplicitInflation::look(const Run& run) {
   if (run.over()) return end(InflateLimit::Time);
   now_ = std::move(now);
   result_.points = now_.soup().points;
-  result_.hyperbolic = count_hyperbolic(now_);
-  energy_.classify(now_);
+  pressure_ = energy_.only_free(pressure_forces(now_, result_.pressure));
+  hyperbolic_ = hyperbolic_vertices(now_);
+  result_.hyperbolic = number_of(hyperbolic_);
+  energy_.classify(now_, hyperbolic_);
   if (result_.hyperbolic <= options_.until_hyperbolic) return end(InflateLimit::Hyperbolic);
   if (result_.steps >= options_.max_steps) end(InflateLimit::Steps);
 }
@@ -75,8 +81,7 @@ bool ExplicitInflation::advance(const Run& run) {
   if (ended_) return false;
   for (int i = 0; i < kLookEvery && result_.steps < options_.max_steps; ++i) {
     energy_(0, x_, gradient_);
-    const Eigen::VectorXd step =
-        options_.time_step * (energy_.only_free(pressure_forces(now_, result_.pressure)) - gradient_);
+    const Eigen::VectorXd step = options_.time_step * (pressure_ - gradient_);
     if (bursts(step)) {
       end(InflateLimit::Burst);
       return false;

@@ -18,6 +18,8 @@ class ExplicitInflation {
   bool advance(const Run& run = {});
   // As it is after the last look that found nothing wrong; the fields that inflate() adds are not filled.
   const Inflation& result() const { return result_; }
+  const Mesh& mesh() const { return now_; }                            // with the points of result()
+  const std::vector<char>& hyperbolic() const { return hyperbolic_; }  // of each vertex of mesh()
   bool ended() const { return ended_; }
 
  private:
@@ -30,6 +32,8 @@ class ExplicitInflation {
   Obstacles obstacles_;
   Eigen::VectorXd x_, gradient_;
   Mesh now_;
+  Eigen::VectorXd pressure_;  // on each vertex of it
+  std::vector<char> hyperbolic_;
   Inflation result_;
   bool ended_ = false;
 };

@@ -134,8 +134,9 @@ class Pump {
     PolygonSoup soup = mesh_.soup();
     soup.points = energy_.points(x);
     const Mesh now(soup);
-    energy_.classify(now);
-    const int hyperbolic = count_hyperbolic(now);
+    const std::vector<char> is_hyperbolic = hyperbolic_vertices(now);
+    energy_.classify(now, is_hyperbolic);
+    const int hyperbolic = static_cast<int>(std::count(is_hyperbolic.begin(), is_hyperbolic.end(), 1));
     if (std::pair(hyperbolic, change(x)) >= std::pair(result_.hyperbolic, best_change_)) return;
     if (hyperbolic < result_.hyperbolic) levels_since_best_ = 0;
     best_change_ = change(x);
@@ -213,9 +214,8 @@ double Inflation::mean_move() const {
 double Inflation::largest_move() const { return move.empty() ? 0 : *std::max_element(move.begin(), move.end()); }
 
 int count_hyperbolic(const Mesh& mesh) {
-  int count = 0;
-  for (VertexId v : mesh.vertices()) count += is_hyperbolic(mesh, v);
-  return count;
+  const std::vector<char> is = hyperbolic_vertices(mesh);
+  return static_cast<int>(std::count(is.begin(), is.end(), 1));
 }
 
 double angle_excess(const Mesh& mesh) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "plico/base/error.h"
+#include "plico/base/sort_in_buckets.h"
 
 namespace plico {
 namespace {
@@ -69,7 +70,9 @@ void Mesh::find_twins() {
   std::iota(order.begin(), order.end(), 0);
   std::vector<std::pair<int, int>> key(order.size());
   for (int h : order) key[h] = std::minmax<int>(from(HalfedgeId(h)), to(HalfedgeId(h)));
-  std::sort(order.begin(), order.end(), [&](int g, int h) { return key[g] != key[h] ? key[g] < key[h] : g < h; });
+  sort_in_buckets(
+      order, num_vertices(), [&](int h) { return key[h].first; },
+      [&](int g, int h) { return key[g] != key[h] ? key[g] < key[h] : g < h; });
   twin_.assign(order.size(), -1);
   for (std::size_t i = 0; i < order.size();) {
     std::size_t end = i + 1;

@@ -28,12 +28,15 @@ class Folder {
         mesh_(mesh),
         folds_(folds),
         scale_(scale),
-        folds_of_(net.sheet.faces.size()),
+        first_(net.sheet.faces.size() + 1, 0),
+        folds_of_(2 * folds.size()),
         placed_(net.sheet.faces.size(), 0),
         placement_(net.sheet.faces.size()) {
-    for (std::size_t i = 0; i < folds.size(); ++i) {
-      folds_of_[folds[i].left].push_back(static_cast<int>(i));
-      folds_of_[folds[i].right].push_back(static_cast<int>(i));
+    for (const NetFold& fold : folds) ++first_[fold.left], ++first_[fold.right];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    for (std::size_t i = folds.size(); i-- > 0;) {  // from the back, as the places are counted down
+      folds_of_[--first_[folds[i].left]] = static_cast<int>(i);
+      folds_of_[--first_[folds[i].right]] = static_cast<int>(i);
     }
   }
 
@@ -57,10 +60,11 @@ class Folder {
     placed_[root] = 1;
     for (std::size_t i = 0; i < queue.size(); ++i) {
       compare(queue[i]);
-      for (int f : folds_of_[queue[i]]) {
-        const int child = folds_[f].left == queue[i] ? folds_[f].right : folds_[f].left;
+      for (int at = first_[queue[i]]; at < first_[queue[i] + 1]; ++at) {
+        const NetFold& fold = folds_[folds_of_[at]];
+        const int child = fold.left == queue[i] ? fold.right : fold.left;
         if (placed_[child]) continue;
-        turn_against(queue[i], child, folds_[f]);
+        turn_against(queue[i], child, fold);
         placed_[child] = 1;
         queue.push_back(child);
       }
@@ -112,7 +116,7 @@ class Folder {
   const Mesh& mesh_;
   const std::vector<NetFold>& folds_;
   double scale_;
-  std::vector<std::vector<int>> folds_of_;
+  std::vector<int> first_, folds_of_;  // panel p has folds_of_[first_[p]] .. folds_of_[first_[p + 1]]
   std::vector<char> placed_;
   std::vector<Placement> placement_;
   Closing closing_;

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <numeric>
 
 #include "plico/base/error.h"
 #include "plico/base/libm.h"
+#include "plico/base/sort_in_buckets.h"
 #include "plico/geom/polygon.h"
 #include "plico/verify/closing.h"
 
@@ -23,6 +25,8 @@ struct Side {
 std::uint64_t undirected_key(int a, int b) {
   return static_cast<std::uint64_t>(std::min(a, b)) << 32 | static_cast<std::uint64_t>(std::max(a, b));
 }
+
+int smaller_end(std::uint64_t key) { return static_cast<int>(key >> 32); }
 
 class NetCheck {
  public:
@@ -140,21 +144,35 @@ class NetCheck {
     check_congruence(f);
   }
 
+  // The first corner but 0 of which the distance is largest.
+  template <class Distance>
+  static std::size_t farthest(std::size_t n, Distance distance) {
+    std::size_t best = 1;
+    double largest = distance(1);
+    for (std::size_t i = 2; i < n; ++i) {
+      const double here = distance(i);
+      if (here > largest) largest = here, best = i;
+    }
+    return best;
+  }
+
   // The distances from three corners that are not in line fix all others; the area's sign tells a mirror image.
   void check_congruence(int f) {
     const std::size_t n = sheet_.faces[f].size();
-    const Vec3 origin = solid(f, 0);
-    std::size_t far = 1, aside = 1;
-    for (std::size_t i = 1; i < n; ++i)
-      if ((solid(f, i) - origin).norm() > (solid(f, far) - origin).norm()) far = i;
-    const auto off_line = [&](std::size_t i) { return (solid(f, i) - origin).cross(solid(f, far) - origin).norm(); };
-    for (std::size_t i = 1; i < n; ++i)
-      if (off_line(i) > off_line(aside)) aside = i;
+    const std::size_t far = farthest(n, [&](std::size_t i) { return (solid(f, i) - solid(f, 0)).norm(); });
+    const Vec3 line = solid(f, far) - solid(f, 0);
+    const std::size_t aside =
+        farthest(n, [&](std::size_t i) { return (solid(f, i) - solid(f, 0)).cross(line).norm(); });
     double worst = 0;
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t k : {std::size_t{0}, far, aside})
-        worst = std::max(
-            worst, std::abs((flat(f, i) - flat(f, k)).norm() - verdict_.scale * (solid(f, i) - solid(f, k)).norm()));
+    const auto compare = [&](std::size_t i, std::size_t k) {
+      const double on_sheet = (flat(f, i) - flat(f, k)).norm(), in_space = (solid(f, i) - solid(f, k)).norm();
+      worst = std::max(worst, std::abs(on_sheet - verdict_.scale * in_space));
+    };
+    for (std::size_t i = 1; i < n; ++i) {
+      compare(i, 0);
+      if (i != far) compare(i, far);
+      if (i != far && i != aside) compare(i, aside);
+    }
     verdict_.congruence_error = std::max(verdict_.congruence_error, worst / diagonal_);
     if (!(worst <= options_.tolerance * diagonal_))
       defect("net/not-congruent", "panel {} differs from mesh face {} by {:.3g} of the diagonal", f, net_.mesh_face[f],
@@ -171,9 +189,11 @@ class NetCheck {
       for (std::size_t i = 0; i < face.size(); ++i)
         sides_.push_back({undirected_key(face[i], face[(i + 1) % face.size()]), f, static_cast<int>(i)});
     }
-    std::sort(sides_.begin(), sides_.end(), [](const Side& s, const Side& t) {
-      return s.key != t.key ? s.key < t.key : s.panel != t.panel ? s.panel < t.panel : s.corner < t.corner;
-    });
+    sort_in_buckets(
+        sides_, sheet_.num_vertices(), [](const Side& s) { return smaller_end(s.key); },
+        [](const Side& s, const Side& t) {
+          return s.key != t.key ? s.key < t.key : s.panel != t.panel ? s.panel < t.panel : s.corner < t.corner;
+        });
   }
 
   // Walks the sides and the edges, both sorted, side by side.
@@ -181,7 +201,8 @@ class NetCheck {
     std::vector<std::pair<std::uint64_t, int>> edges;
     for (int e = 0; e < sheet_.num_edges(); ++e)
       edges.emplace_back(undirected_key(sheet_.edges[e].a, sheet_.edges[e].b), e);
-    std::sort(edges.begin(), edges.end());
+    sort_in_buckets(
+        edges, sheet_.num_vertices(), [](const auto& e) { return smaller_end(e.first); }, std::less<>());
     border_side_.assign(sheet_.edges.size(), -1);
     std::size_t at = 0;
     for (std::size_t i = 0; i < sides_.size();) {
@@ -283,8 +304,7 @@ class NetCheck {
   double mesh_fold_angle(const NetFold& fold) const {
     const Crease& e = sheet_.edges[fold.edge];
     const Vec3 along = mesh_.point(VertexId(net_.mesh_vertex[e.b])) - mesh_.point(VertexId(net_.mesh_vertex[e.a]));
-    const Vec3 n1 = mesh_normal(FaceId(net_.mesh_face[fold.left])),
-               n2 = mesh_normal(FaceId(net_.mesh_face[fold.right]));
+    const Vec3 &n1 = normals_[net_.mesh_face[fold.left]], &n2 = normals_[net_.mesh_face[fold.right]];
     const double angle = 2 * plico::atan2((n1 - n2).norm(), (n1 + n2).norm());
     const Vec3 away = along.cross(n2);  // in the right face, away from the edge
     return away.dot(n1) < 0 ? -angle : angle;
@@ -292,6 +312,7 @@ class NetCheck {
 
   void check_angles() {
     const double tolerance = radians(options_.angle_tolerance_deg);
+    for (FaceId g : mesh_.faces()) normals_.push_back(mesh_normal(g));
     for (const NetFold& fold : folds_) {
       const Crease& e = sheet_.edges[fold.edge];
       const double wanted = mesh_fold_angle(fold);
@@ -376,7 +397,8 @@ class NetCheck {
   std::vector<Side> sides_;
   std::vector<int> border_side_;  // per edge: its only side, -1 for folds
   std::vector<NetFold> folds_;
-  std::vector<int> root_;  // union-find over panels
+  std::vector<Vec3> normals_;  // of the mesh faces
+  std::vector<int> root_;      // union-find over panels
 };
 
 }  // namespace

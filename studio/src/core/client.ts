@@ -1,5 +1,5 @@
 // The page's end of the worker: calls in order, progress, and a stop that works at any time.
-import type { Begin, Calls, Failure, PackedModule, Progress, Reply, Unpacked } from './protocol';
+import type { Begin, Calls, Failure, Packed, Progress, Reply, Unpacked } from './protocol';
 
 export class Refused extends Error {
   constructor(readonly failure: Failure) {
@@ -14,14 +14,17 @@ interface Waiting {
   progress?: (progress: Progress) => void;
 }
 
+const workerOf = (script: string): Worker => new Worker(URL.createObjectURL(new Blob([script], { type: 'text/javascript' })));
+
 export class Core {
   private worker!: Worker;
   private waiting = new Map<number, Waiting>();
   private lastId = 0;
+  private unpacked?: Unpacked;
   private broken?: Failure; // why the worker did not start
   onRestart = (): void => undefined;
 
-  constructor(private readonly script: string, private module: PackedModule | ArrayBuffer) {
+  constructor(private readonly loader: string, private readonly packed: Packed) {
     this.start();
   }
 
@@ -51,14 +54,18 @@ export class Core {
 
   private start(): void {
     this.broken = undefined;
-    const url = URL.createObjectURL(new Blob([this.script], { type: 'text/javascript' }));
-    this.worker = new Worker(url);
+    this.worker = workerOf(this.unpacked?.script ?? this.loader);
     this.worker.onmessage = (event: MessageEvent<Reply | Unpacked>) => {
-      if ('module' in event.data) this.module = event.data.module;
+      if ('module' in event.data) this.warm(event.data);
       else this.hear(event.data);
     };
     this.worker.onerror = (event) => this.fail(event.message);
-    this.worker.postMessage({ begin: this.module } satisfies Begin);
+    this.worker.postMessage(this.unpacked ? { begin: this.unpacked.module } satisfies Begin : this.packed);
+  }
+  /** The engine's code is the module's, whichever worker makes it compile that: one that nobody waits for. */
+  private warm(unpacked: Unpacked): void {
+    this.unpacked = unpacked;
+    workerOf(unpacked.script).postMessage({ warm: unpacked.module } satisfies Begin);
   }
 
   private hear(reply: Reply): void {

@@ -112,15 +112,20 @@ export interface Progress {
   note: string;
 }
 
-/** The module as the page holds it: LZMA in text91. */
-export interface PackedModule {
+/** The worker's script and after it the module, as the page holds them: LZMA in text93. */
+export interface Packed {
   text: string;
   packedBytes: number;
   bytes: number;
+  scriptBytes: number;
 }
-/** What a worker begins with; it unpacks once, and sends the module back for the next worker. */
-export type Begin = { begin: PackedModule | ArrayBuffer };
-export type Unpacked = { module: ArrayBuffer };
+/** What the loader sends back: later workers need no loader, and go on with all that the engine has compiled. */
+export interface Unpacked {
+  script: string;
+  module: WebAssembly.Module;
+}
+/** What a worker begins with, or only warms up for the others. */
+export type Begin = { begin: WebAssembly.Module | Promise<WebAssembly.Module> } | { warm: WebAssembly.Module };
 
 export type Request = { id: number; call: keyof Calls; args: unknown[] };
 /** `ended`: this worker can do no more. */

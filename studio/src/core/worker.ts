@@ -1,9 +1,7 @@
 // The worker: Plico's module, one model at a time.
 import createPlico from 'plico-module';
-import type { Begin, Calls, Edit, Failure, Inflated, JobDescription, PackedModule, Reply, Request, Snapshot, Unpacked, Verdict } from './protocol';
+import type { Begin, Calls, Edit, Failure, Inflated, JobDescription, Reply, Request, Snapshot, Verdict } from './protocol';
 import { tablesOf } from './faces';
-import { unpacked } from './lzma';
-import { decoded } from './text91';
 
 const refused = (failure: Failure): Error => Object.assign(new Error(failure.message), { failure });
 
@@ -117,20 +115,32 @@ function arraysIn(value: unknown, found = new Set<ArrayBuffer>()): ArrayBuffer[]
   return [...found];
 }
 
-// The engine compiles a function when it is called first. What the first file will call is called once before, with a
-// shape that nobody sees.
-const kTetrahedron = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n';
-function warm(plico: any): void {
-  const all = start(plico, () => undefined);
-  const { files } = all.job('sample', [['name', 'dinosaur'], ['faces', '120'], ['output', 'warm.obj']], {});
-  all.open('warm.obj', files['warm.obj']!);
+// The engine compiles a function when it is called first, and better when it was called often. What the first file will
+// call is called before, with a bumpy ball that nobody sees.
+function ball(): string {
+  const lines = ['v 0 0 1', 'v 0 0 -1'], n = 8;
+  const corner = (ring: number, i: number): number => (ring === 0 ? 1 : ring === n ? 2 : 3 + (ring - 1) * n + (i % n));
+  for (let ring = 1; ring < n; ++ring)
+    for (let i = 0; i < n; ++i) {
+      const u = (2 * Math.PI * i) / n, v = (Math.PI * ring) / n, r = 1 + 0.15 * Math.sin(3 * u + 2 * v);
+      lines.push(`v ${r * Math.sin(v) * Math.cos(u)} ${r * Math.sin(v) * Math.sin(u)} ${r * Math.cos(v)}`);
+    }
+  for (let ring = 0; ring < n; ++ring)
+    for (let i = 0; i < n; ++i) {
+      if (ring > 0) lines.push(`f ${corner(ring, i)} ${corner(ring + 1, i)} ${corner(ring, i + 1)}`);
+      if (ring + 1 < n) lines.push(`f ${corner(ring, i + 1)} ${corner(ring + 1, i)} ${corner(ring + 1, i + 1)}`);
+    }
+  return lines.join('\n');
+}
+function warm(all: Calls): void {
+  all.open('warm.obj', new TextEncoder().encode(ball()));
   const edge = all.editFor(7);
   if (edge) all.preview(edge), all.apply(edge);
-  all.open('warm.obj', new TextEncoder().encode(kTetrahedron));
   all.apply(all.search(true));
   all.motion(false);
   all.fold(0.5);
   all.project();
+  close();
 }
 
 let calls: Promise<Calls>;
@@ -142,21 +152,20 @@ function report(phase: string, done: number, total: number, note: string): void 
   postMessage({ id: current, progress: { phase, done, total, note } } satisfies Reply);
 }
 
-function moduleOf({ text, packedBytes, bytes }: PackedModule): ArrayBuffer {
-  const { buffer } = unpacked(decoded(text, packedBytes), bytes);
-  postMessage({ module: buffer } satisfies Unpacked);
-  return buffer;
-}
-
-async function begin(from: PackedModule | ArrayBuffer): Promise<Calls> {
-  const isFirst = !(from instanceof ArrayBuffer);
-  const wasmBinary = isFirst ? moduleOf(from) : from;
-  const plico = await createPlico({ wasmBinary, locateFile: (path: string) => path });
-  if (isFirst) warm(plico);
+async function begin(source: WebAssembly.Module | Promise<WebAssembly.Module>): Promise<Calls> {
+  const module = await source;
+  const plico = await new Promise((done, refuse) => {
+    const instantiateWasm = (imports: WebAssembly.Imports, receive: (instance: WebAssembly.Instance) => void): object => {
+      WebAssembly.instantiate(module, imports).then(receive, refuse);
+      return {};
+    };
+    createPlico({ instantiateWasm, locateFile: (path: string) => path }).then(done, refuse);
+  });
   return start(plico, report);
 }
 
 addEventListener('message', async (event: MessageEvent<Request | Begin>) => {
+  if ('warm' in event.data) return warm(await begin(event.data.warm));
   if ('begin' in event.data) {
     calls = begin(event.data.begin);
     calls.catch(() => undefined); // told to whoever asks

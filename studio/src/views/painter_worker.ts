@@ -1,18 +1,16 @@
 // The other end of painter.ts.
-import { GlMesh } from '../../../viewer/src/gl_mesh';
 import { onceAFrame } from './frames';
-import type { ToPainter } from './painter';
+import { kPainters, type ToPainter } from './painter';
 
-let mesh: GlMesh | undefined;
+let painter: Record<string, (...args: unknown[]) => void> | undefined;
 let last: unknown[] = []; // only the last of several pictures that came meanwhile is drawn
-const call = (name: string, args: unknown[]): void => (mesh as unknown as Record<string, (...args: unknown[]) => void>)[name]!(...args);
-const draw = onceAFrame(() => call('draw', last));
+const draw = onceAFrame(() => painter!['draw']!(...last));
 
 addEventListener('message', ({ data }: MessageEvent<ToPainter>) => {
   if ('canvas' in data) {
-    mesh = GlMesh.on(data.canvas);
-    postMessage(mesh !== undefined);
-  } else if (!mesh) return;
-  else if (data.call !== 'draw') call(data.call, data.args);
+    painter = kPainters[data.kind](data.canvas) as unknown as typeof painter;
+    postMessage(painter !== undefined);
+  } else if (!painter) return;
+  else if (data.call !== 'draw') painter[data.call]!(...data.args);
   else last = data.args, draw();
 });

@@ -1,5 +1,6 @@
 // One model as the views see it: its tables, and the net as it lies.
 import type { Model, Snapshot } from '../core/protocol';
+import { linesOf } from './net_lines';
 
 export class Shape {
   overlapping = new Set<number>();
@@ -51,13 +52,6 @@ export class Shape {
   /** Pairs of corners: each fold once, each cut as often as there are copies of it. */
   lines(): { folds: Uint32Array; cuts: Uint32Array } {
     const { next, edgeCorners, model: { cornerEdges }, snapshot } = this;
-    const folds = new Uint32Array(next.length), cuts = new Uint32Array(2 * next.length);
-    let f = 0, k = 0;
-    for (let c = 0; c < next.length; ++c) {
-      const e = cornerEdges[c]!;
-      if (!snapshot.folds[e]) cuts[k++] = c, cuts[k++] = next[c]!;
-      else if (edgeCorners[2 * e] === c) folds[f++] = c, folds[f++] = next[c]!;
-    }
-    return { folds: folds.subarray(0, f), cuts: cuts.subarray(0, k) };
+    return linesOf({ next, edgeCorners, cornerEdges }, snapshot.folds);
   }
 }

@@ -1,6 +1,6 @@
 // A net of many thousand faces drawn with WebGL 2 on a canvas of its own: on a plain canvas it takes a tenth of a second.
 import { program } from '../../../viewer/src/gl_mesh';
-import type { Shape } from './shape';
+import { linesOf, type Sides } from './net_lines';
 
 const kVertex = `#version 300 es
 in vec2 at; in float tint; uniform vec4 view; flat out float shown;
@@ -16,43 +16,56 @@ export interface Window {
   left: number; top: number; scale: number; width: number; height: number; // the last two in pixels
 }
 
-export class SheetPainter {
-  readonly canvas: HTMLCanvasElement;
-  private readonly buffers: Record<'at' | 'tint' | 'line' | 'triangles' | 'folds' | 'cuts', WebGLBuffer>;
-  private readonly drawing: WebGLProgram;
-  private counts = { triangles: 0, folds: 0, cuts: 0 };
+/** What stays through all edits. */
+export interface SheetModel extends Sides {
+  triangles: Uint32Array;
+  faceOf: Int32Array;
+}
 
-  static make(): SheetPainter | undefined {
-    const canvas = document.createElement('canvas');
-    const gl = canvas.getContext('webgl2', { antialias: true, depth: false });
-    return gl ? new SheetPainter(canvas, gl) : undefined;
+export class SheetPainter {
+  private readonly buffers: Record<'at' | 'tint' | 'triangles' | 'folds' | 'cuts', WebGLBuffer>;
+  private readonly drawing: WebGLProgram;
+  private readonly counts = { triangles: 0, folds: 0, cuts: 0 };
+  private model?: SheetModel;
+
+  /** Nothing where there is no WebGL 2. */
+  static on(canvas: HTMLCanvasElement | OffscreenCanvas): SheetPainter | undefined {
+    const gl = canvas.getContext('webgl2', { antialias: true, depth: false }) as WebGL2RenderingContext | null;
+    return gl ? new SheetPainter(gl) : undefined;
   }
-  private constructor(canvas: HTMLCanvasElement, private readonly gl: WebGL2RenderingContext) {
-    this.canvas = canvas;
+  private constructor(private readonly gl: WebGL2RenderingContext) {
     this.drawing = program(gl, kVertex, kFragment, ['at', 'tint']);
-    const names = ['at', 'tint', 'line', 'triangles', 'folds', 'cuts'] as const;
+    const names = ['at', 'tint', 'triangles', 'folds', 'cuts'] as const;
     this.buffers = Object.fromEntries(names.map((name) => [name, gl.createBuffer()!])) as typeof this.buffers;
   }
 
+  setModel(model: SheetModel): void {
+    this.model = model;
+    this.setElements('triangles', model.triangles);
+  }
   /** After a new model or an edit. `tints` is how many colours parts take turns with. */
-  take(shape: Shape, tints: number): void {
-    const { gl, buffers } = this, { flat, parts } = shape.snapshot;
+  setNet(flat: Float32Array, isFold: Uint8Array, parts: Int32Array, tints: number): void {
+    const { gl, buffers, model } = this;
+    if (!model) return;
     const fill = (buffer: WebGLBuffer, values: Float32Array): void => {
       gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
       gl.bufferData(gl.ARRAY_BUFFER, values, gl.DYNAMIC_DRAW);
     };
     fill(buffers.at, flat);
-    fill(buffers.tint, Float32Array.from(shape.faceOf, (face) => parts[face]! % tints));
-    const { folds, cuts } = shape.lines();
-    for (const [name, values] of [['triangles', shape.triangles], ['folds', folds], ['cuts', cuts]] as const) {
-      gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, buffers[name]);
-      gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, values, gl.DYNAMIC_DRAW);
-      this.counts[name] = values.length;
-    }
+    fill(buffers.tint, Float32Array.from(model.faceOf, (face) => parts[face]! % tints));
+    const { folds, cuts } = linesOf(model, isFold);
+    this.setElements('folds', folds);
+    this.setElements('cuts', cuts);
+  }
+  private setElements(name: 'triangles' | 'folds' | 'cuts', values: Uint32Array): void {
+    const { gl } = this;
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.buffers[name]);
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, values, gl.DYNAMIC_DRAW);
+    this.counts[name] = values.length;
   }
 
-  draw(window: Window, tints: Rgb01[], fold: Rgb01, cut: Rgb01): HTMLCanvasElement {
-    const { gl, canvas, drawing, buffers } = this, { width, height, scale, left, top } = window;
+  draw(window: Window, tints: Rgb01[], fold: Rgb01, cut: Rgb01): void {
+    const { gl, gl: { canvas }, drawing, buffers } = this, { width, height, scale, left, top } = window;
     if (canvas.width !== width || canvas.height !== height) canvas.width = width, canvas.height = height;
     gl.viewport(0, 0, width, height);
     gl.clearColor(0, 0, 0, 0);
@@ -68,7 +81,6 @@ export class SheetPainter {
     this.elements(gl.TRIANGLES, 'triangles', tints);
     this.elements(gl.LINES, 'folds', tints.map(() => fold));
     this.elements(gl.LINES, 'cuts', tints.map(() => cut));
-    return canvas;
   }
   private elements(kind: number, name: 'triangles' | 'folds' | 'cuts', colors: Rgb01[]): void {
     const { gl } = this;

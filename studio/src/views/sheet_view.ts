@@ -1,9 +1,9 @@
 // The net on the table, drawn on a canvas: parts in tints, folds dashed, cuts solid, overlaps hatched in red.
-import type { Snapshot, Verdict } from '../core/protocol';
+import type { Model, Snapshot, Verdict } from '../core/protocol';
 import { onceAFrame } from './frames';
+import { painterOn, type Painter } from './painter';
 import { listen } from './pointers';
 import type { Shape } from './shape';
-import { SheetPainter } from './sheet_painter';
 
 export interface SheetColors {
   ink: string; fold: string; alarm: string; accent: string; lock: string; tints: string[];
@@ -18,15 +18,17 @@ export class SheetView {
   private scale = 1;
   private left = 0; // model coordinates at the canvas' left and top
   private top = 0;
-  private painter?: SheetPainter; // of large nets
-  private painted?: Snapshot; // that it knows
+  private painter?: Painter<'sheet'>; // of large nets, on a canvas under this one
+  private withoutGl = false;
+  private readonly under = document.createElement('canvas');
+  private painted: { model?: Model; snapshot?: Snapshot } = {}; // that it knows
   readonly redraw = onceAFrame(() => this.draw());
   private readonly context: CanvasRenderingContext2D;
   private fitted = true; // shows all; a view that someone chose is kept when the window changes
   edge = -1; // under the pointer or the keys
 
   constructor(
-    private readonly canvas: HTMLCanvasElement, private readonly colors: () => SheetColors,
+    private readonly canvas: HTMLCanvasElement, private readonly script: string, private readonly colors: () => SheetColors,
     private readonly onPoint: (edge: number) => void, private readonly onClick: (edge: number, event: PointerEvent) => void,
   ) {
     this.context = canvas.getContext('2d')!;
@@ -122,6 +124,7 @@ export class SheetView {
     if (!shape) return;
     const s = this.scale * ratio;
     const drawn = shape.model.edges > kMany && this.drawMany(shape, s);
+    this.under.hidden = !drawn;
     context.setTransform(s, 0, 0, -s, -this.left * s, this.top * s);
     if (!drawn) this.drawFaces(shape);
     if (shape.overlapping.size) this.hatch(this.outline(shape, shape.snapshot.flat, shape.overlapping), this.colors().alarm, ratio);
@@ -142,15 +145,27 @@ export class SheetView {
   }
 
   private drawMany(shape: Shape, scale: number): boolean {
-    this.painter ??= SheetPainter.make();
-    if (!this.painter) return false;
+    if (this.withoutGl) return false;
+    const { model, snapshot } = shape, painter = (this.painter ??= this.putUnder());
+    if (!painter) return false;
     const { tints, fold, ink } = this.colors();
-    if (this.painted !== shape.snapshot) this.painter.take(shape, tints.length);
-    this.painted = shape.snapshot;
-    const { width, height } = this.canvas;
+    if (this.painted.model !== model) painter.setModel({ ...model.tables, cornerEdges: model.cornerEdges });
+    if (this.painted.snapshot !== snapshot) painter.setNet(snapshot.flat, snapshot.folds, snapshot.parts, tints.length);
+    this.painted = { model, snapshot };
+    const { width, height, offsetLeft, offsetTop, clientWidth, clientHeight } = this.canvas;
     const rgb = (hex: string): number[] => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16) / 255);
-    this.context.drawImage(this.painter.draw({ left: this.left, top: this.top, scale, width, height }, tints.map(rgb), rgb(fold), rgb(ink)), 0, 0);
+    painter.draw({ left: this.left, top: this.top, scale, width, height }, tints.map(rgb), rgb(fold), rgb(ink));
+    Object.assign(this.under.style, { left: `${offsetLeft}px`, top: `${offsetTop}px`, width: `${clientWidth}px`, height: `${clientHeight}px` });
     return true;
+  }
+  private putUnder(): Painter<'sheet'> | undefined {
+    this.under.className = 'under';
+    this.under.ariaHidden = 'true';
+    this.canvas.before(this.under);
+    return painterOn('sheet', this.under, this.script, (works) => {
+      this.withoutGl = !works;
+      if (!works) this.redraw();
+    });
   }
 
   private drawFaces(shape: Shape): void {

@@ -1,6 +1,6 @@
 // A model in space, drawn with WebGL 2: the mesh as it is, or its panels on the way from flat to folded.
 import { onceAFrame } from './frames';
-import { painterOn, type MeshPainter } from './painter';
+import { painterOn, type Painter } from './painter';
 import { listen } from './pointers';
 import type { Shape } from './shape';
 
@@ -35,7 +35,7 @@ const dot = (a: Vec, b: Vec): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const cross = (a: Vec, b: Vec): Vec => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 
 export class SpaceView {
-  private readonly mesh?: MeshPainter;
+  private readonly mesh?: Painter<'mesh'>;
   private shape?: Shape;
   private at: Float32Array = new Float32Array();
   private center: Vec = [0, 0, 0];
@@ -47,6 +47,7 @@ export class SpaceView {
   readonly redraw = onceAFrame(() => this.draw());
   private edge = -1;
   private decor?: Decor;
+  private plain?: Uint32Array; // the triangles that the painter has, when there are no beads among them
   private brush?: Brush;
 
   constructor(
@@ -54,7 +55,7 @@ export class SpaceView {
     private readonly onPoint: (edge: number) => void, private readonly onClick: (edge: number, event: PointerEvent) => void,
     onWorks: (works: boolean) => void,
   ) {
-    this.mesh = painterOn(canvas, painter, onWorks);
+    this.mesh = painterOn('mesh', canvas, painter, onWorks);
     this.paint(64, 64); // the first picture takes 20 ms more than others
     new ResizeObserver(() => (this.chosen ? this.redraw() : this.frame(this.at))).observe(canvas);
     listen(canvas, {
@@ -71,6 +72,7 @@ export class SpaceView {
 
   /** A new model, or the same after an edit; `at` are the places of its corners. */
   show(shape: Shape, at: Float32Array, reframe: boolean, whole = false): void {
+    const moved = at !== this.at || shape !== this.shape;
     this.shape = shape;
     this.whole = whole;
     this.at = at;
@@ -82,7 +84,7 @@ export class SpaceView {
     mesh.setLines('cuts', cuts);
     this.dress();
     this.point(this.edge < shape.model.edges ? this.edge : -1);
-    this.place(at);
+    if (moved) this.place(at);
   }
   private whole = false; // as a mesh, not as a net
 
@@ -99,7 +101,10 @@ export class SpaceView {
     else if (!this.whole) for (const f of shape.overlapping) marks.fill(1, shape.model.offsets[f]!, shape.model.offsets[f + 1]!);
     decor?.kinds.forEach((kind, i) => marks.fill(kind, own + 6 * i, own + 6 * i + 6));
     mesh.setMarks(marks);
-    const beads = decor?.corners.length ?? 0, triangles = new Uint32Array(shape.triangles.length + 24 * beads);
+    const beads = decor?.corners.length ?? 0;
+    if (!beads && this.plain === shape.triangles) return;
+    this.plain = beads ? undefined : shape.triangles;
+    const triangles = new Uint32Array(shape.triangles.length + 24 * beads);
     triangles.set(shape.triangles);
     for (let i = 0; i < beads; ++i) kBeadFaces.forEach((p, k) => (triangles[shape.triangles.length + 24 * i + k] = own + 6 * i + p));
     mesh.setTriangles(triangles);
