@@ -375,7 +375,7 @@ class Studio {
     button.hidden = !last;
     button.addEventListener('click', () => last && void this.guarded(async () => {
       await this.session.resume(last);
-      this.pagesPanel.resumed(last.places);
+      this.pagesPanel.resumed(last.places, last.form);
     }));
     document.documentElement.dataset['ready'] = 'true';
   }

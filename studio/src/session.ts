@@ -2,7 +2,7 @@
 import type { Core } from './core/client';
 import type { Edit, Inflated, InflateOptions, JobDescription, JobResult, JobValues, Model, Progress, Snapshot } from './core/protocol';
 import { History, type Step } from './history';
-import { keepEdits, keepPlaces, keepProject, type Kept, type Places } from './store';
+import { keepEdits, keepForm, keepPlaces, keepProject, type Filled, type Kept, type Places } from './store';
 import { Shape } from './views/shape';
 
 const kSaveAfter = 100; // milliseconds without an edit
@@ -126,6 +126,9 @@ export class Session {
     if (!this.saved) return;
     const { id } = this.saved;
     this.write(() => keepPlaces(id, places));
+  }
+  keepForm(form: Filled): void {
+    this.write(() => keepForm(form));
   }
   /** In order among themselves; nothing else waits for the disk. */
   private write(work: () => Promise<boolean>): void {

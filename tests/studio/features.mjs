@@ -1,0 +1,92 @@
+// What the screens do beyond the first need: margins and marks of pages, all files as one, order lanes and single creases,
+// patterns changed by numbers.  usage: node features.mjs PAGE.html MESH.obj; PICTURES as in drive.mjs
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { accessible, complaintsOf, drop, openStudio, picture, startBrowser, until } from './browser.mjs';
+
+const [pagePath, meshPath] = process.argv.slice(2);
+
+const path = (page) => page.$eval('.part path', (part) => part.getAttribute('d').slice(0, 24));
+async function partAfter(page, key) {
+  const before = await path(page);
+  await page.press('.part', key);
+  await until(page, (d) => document.querySelector('.part path')?.getAttribute('d').slice(0, 24) !== d, before);
+  return page.$eval('.part path', (part) => {
+    const { x, y, width, height } = part.getBBox(), { width: w, height: h } = part.ownerSVGElement.viewBox.baseVal;
+    return { left: x, right: w - x - width, top: y, bottom: h - y - height };
+  });
+}
+const near = (a, b, what) => assert.ok(Math.abs(a - b) < 0.05, `${what}: ${a} and ${b}`);
+
+async function pagesAreFilledIn(page) {
+  await page.click('#tab-pages');
+  await page.waitForSelector('.part');
+  await page.selectOption('select[name=measure]', 'height');
+  await page.fill('input[name=size]', '25');
+  await page.click('#page-form summary');
+  await page.fill('input[name=margin]', '14');
+  await page.check('input[data-value=start]');
+  await until(page, () => /x 25.0 mm/.test(document.getElementById('page-report').textContent));
+  const middle = await partAfter(page, 'c');
+  near(middle.left, middle.right, 'left and right');
+  near(middle.top, middle.bottom, 'top and bottom');
+  near((await partAfter(page, 'Home')).left, 14, 'left margin');
+  near((await partAfter(page, 'End')).right, 14, 'right margin');
+  near((await partAfter(page, 't')).top, 14, 'top margin');
+  near((await partAfter(page, 'b')).bottom, 14, 'bottom margin');
+  await picture(page, 'pages-form');
+  await accessible(page, 'pages, filled in');
+}
+
+async function allIsOneArchive(page) {
+  const folder = mkdtempSync(join(tmpdir(), 'studio-'));
+  try {
+    const saving = page.waitForEvent('download');
+    await page.click('text=Save all (ZIP)');
+    await (await saving).saveAs(join(folder, 'all.zip'));
+    const told = execFileSync('python3', ['-c', 'import sys, zipfile; z = zipfile.ZipFile(sys.argv[1]); assert z.testzip() is None; print(*z.namelist())', join(folder, 'all.zip')], { encoding: 'utf8' });
+    for (const kind of ['pdf', 'svg', 'dxf', 'fold', 'plico', 'html', 'glb']) assert.match(told, new RegExp(`bird[\\w-]*\\.${kind}\\b`), kind);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}
+
+async function aReloadKeepsTheForm(page) {
+  await page.waitForTimeout(500);
+  await page.reload();
+  await page.waitForSelector('html[data-ready=true]');
+  await page.click('#continue');
+  await until(page, () => document.getElementById('name').textContent === 'bird');
+  await page.click('#tab-pages');
+  await page.waitForSelector('.part');
+  assert.deepEqual(await page.evaluate(() => Object.fromEntries(['measure', 'size', 'margin'].map((name) => [name, document.querySelector(`[name=${name}]`).value]))),
+    { measure: 'height', size: '25', margin: '14' });
+  assert.ok(await page.isChecked('input[data-value=start]'));
+}
+
+const browser = await startBrowser(), complaints = [];
+try {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 820 }, reducedMotion: 'reduce' });
+  const page = await context.newPage();
+  complaintsOf(page, complaints);
+  await openStudio(page, pathToFileURL(pagePath).href);
+  await drop(page, 'bird.obj', readFileSync(meshPath));
+  await until(page, () => document.getElementById('name').textContent === 'bird');
+  await pagesAreFilledIn(page);
+  await allIsOneArchive(page);
+  await aReloadKeepsTheForm(page);
+  await page.setViewportSize({ width: 390, height: 844 });
+  for (const tab of ['pages']) {
+    await page.evaluate((t) => window.studio.tab(t), tab);
+    await page.waitForTimeout(400);
+    await picture(page, `${tab}-features-390`);
+    assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 390, `${tab} fits a small screen`);
+  }
+  assert.deepEqual(complaints, []);
+} finally {
+  await browser.close();
+}
