@@ -48,7 +48,8 @@ class Studio {
     const click = (edge: number, event: PointerEvent): void => void this.act(edge, event.shiftKey);
     this.space = new SpaceView(byId('space'), byId('painter').textContent!, colors.space, point, click, (works) => (byId('no-space').hidden = works));
     this.sheet = new SheetView(byId('sheet'), colors.sheet, point, click);
-    this.foldPanel = new FoldPanel(this.session, this.space, (work) => this.guarded(work), (p) => this.progress(p));
+    this.foldPanel = new FoldPanel(this.session, this.space, (work) => this.guarded(work), (p) => this.progress(p),
+      (edge) => void this.point(edge), (text) => this.say(text));
     this.pagesPanel = new PagesPanel(this.session, (work) => this.guarded(work));
     this.jobsPanel = new JobsPanel(this.session, (work) => this.guarded(work), (p) => this.progress(p), (name, bytes) => this.openMade(name, bytes),
       () => (byId('no-space').hidden ? new MotionView(this.session, byId('painter').textContent!, colors.space) : undefined));
@@ -167,7 +168,9 @@ class Studio {
   }
 
   /** What lies under the pointer, and what a click would do. */
-  private async point(edge: number): Promise<void> {
+  private async point(under: number): Promise<void> {
+    const onFold = this.tab === 'fold', edge = onFold && under < 0 ? this.foldPanel.chosen : under;
+    if (onFold) this.foldPanel.pointed(edge);
     if (edge === this.sheet.edge) return;
     this.sheet.edge = edge;
     this.sheet.preview(undefined);
@@ -192,6 +195,7 @@ class Studio {
   }
 
   private act(edge: number, lock: boolean): Promise<void> {
+    if (this.tab === 'fold') this.foldPanel.pick(edge);
     if (this.tab !== 'net') return Promise.resolve();
     return this.guarded(async () => {
       const edit = lock ? this.lockOf(edge) : await this.session.editFor(edge);
@@ -245,6 +249,7 @@ class Studio {
     byId('panel-inflate').hidden = !open || tab !== 'inflate';
     byId('panel-net').hidden = tab !== 'net';
     byId('panel-fold').hidden = tab !== 'fold';
+    byId('fold-more').hidden = !open || tab !== 'fold';
     byId('panel-pages').hidden = !open || tab !== 'pages';
     byId('panel-pattern').hidden = tab !== 'pattern';
     byId('panel-jobs').hidden = tab !== 'jobs';
@@ -258,7 +263,7 @@ class Studio {
   }
 
   private showStart(): void {
-    for (const id of ['space-view', 'sheet-view', 'panel-inflate', 'panel-pages', 'panel-pattern', 'panel-jobs']) byId(id).hidden = true;
+    for (const id of ['space-view', 'sheet-view', 'fold-more', 'panel-inflate', 'panel-pages', 'panel-pattern', 'panel-jobs']) byId(id).hidden = true;
     byId('start').hidden = false;
     this.foldPanel.shown(false);
     this.inflatePanel.shown(false);
@@ -323,8 +328,10 @@ class Studio {
       ...Object.fromEntries(kTabs.map((tab, i) => [String(i + 1), () => this.show(tab)])),
       '?': () => byId<HTMLDialogElement>('help').showModal(), Escape: () => this.session.stop(),
     };
-    if (this.tab === 'fold')
-      Object.assign(actions, { ',': () => this.foldPanel.step(-0.02), '.': () => this.foldPanel.step(0.02), ...(onButton ? {} : { ' ': () => this.foldPanel.play() }) });
+    if (this.tab === 'fold' && this.session.shape) {
+      if (this.foldPanel.key(event.key)) return true;
+      if (!onButton) actions[' '] = () => this.foldPanel.play();
+    }
     const onInflate = this.tab === 'inflate' && this.session.shape !== undefined && !(onButton && (event.key === ' ' || event.key === 'Enter'));
     if (onInflate && this.inflatePanel.key(event)) return true;
     const action = actions[event.key];

@@ -68,6 +68,60 @@ async function aReloadKeepsTheForm(page) {
   assert.ok(await page.isChecked('input[data-value=start]'));
 }
 
+async function creasesAreShown(page) {
+  await page.click('#tab-net');
+  await page.click('#tab-fold');
+  await page.waitForSelector('#lanes [role=option]');
+  assert.match(await page.getAttribute('#lanes [role=option]', 'aria-label'), /lane 1 of 1: 299 creases move from 0 to 100 %/);
+  await page.click('#prove');
+  await until(page, () => /collide at/.test(document.getElementById('motion').textContent));
+  await page.$eval('#time', (slider) => { slider.value = '0.2'; slider.dispatchEvent(new Event('input')); });
+  await page.press('#motion-jump', 'x');
+  await until(page, () => Number(document.getElementById('time').value) > 0.4);
+  await picture(page, 'fold-collision');
+  await page.press('#check-now', 'c');
+  await until(page, () => /faces \d+ and \d+ collide at this moment/.test(document.getElementById('moment').textContent));
+  await page.$eval('#time', (slider) => { slider.value = '0.2'; slider.dispatchEvent(new Event('input')); });
+  await page.press('#check-now', 'c');
+  await until(page, () => document.getElementById('moment').textContent === 'nothing collides at this moment');
+}
+
+/** One crease turns alone; the picture follows, and the core says whether it collides. */
+async function oneCreaseTurnsByHand(page) {
+  await page.focus('#lanes [role=option]');
+  await page.keyboard.press('Enter'); // nothing is chosen yet
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('ArrowRight');
+  await until(page, () => /crease \d+, (mountain|valley), -?\d+° now/.test(document.getElementById('crease').textContent));
+  const before = await page.evaluate(() => document.getElementById('hand-now').textContent);
+  await page.keyboard.press('Enter');
+  for (let i = 0; i < 25; ++i) await page.keyboard.press('ArrowRight');
+  await until(page, (was) => document.getElementById('hand-now').textContent !== was, before);
+  await picture(page, 'fold-by-hand');
+  await page.click('#hand-check');
+  await until(page, () => /crease \d+ turns from .* proven free|collide at -?\d+°/.test(document.getElementById('moment').textContent));
+  await accessible(page, 'fold, by hand');
+  await page.click('#hand-back');
+  await until(page, (was) => document.getElementById('hand-now').textContent === was, before);
+}
+
+async function panelsAreThickAndMotionsStandBeside(page) {
+  await page.focus('#space');
+  await page.keyboard.press('t');
+  await until(page, () => /%/.test(document.getElementById('thickness-now').textContent));
+  await picture(page, 'fold-thick');
+  await page.click('#foldable');
+  await until(page, () => /proven \(/.test(document.getElementById('motion').textContent));
+  await page.selectOption('#beside', 'kept');
+  await page.waitForSelector('#beside-view:not([hidden])');
+  await page.$eval('#time', (slider) => { slider.value = '0.5'; slider.dispatchEvent(new Event('input')); });
+  await page.waitForTimeout(300);
+  await picture(page, 'fold-beside');
+  await page.click('#check-margin');
+  await until(page, () => /\d+ of 40 folds with every crease off by up to 5°/.test(document.getElementById('moment').textContent));
+  await accessible(page, 'fold, beside');
+}
+
 const browser = await startBrowser(), complaints = [];
 try {
   const context = await browser.newContext({ viewport: { width: 1280, height: 820 }, reducedMotion: 'reduce' });
@@ -79,8 +133,11 @@ try {
   await pagesAreFilledIn(page);
   await allIsOneArchive(page);
   await aReloadKeepsTheForm(page);
+  await creasesAreShown(page);
+  await oneCreaseTurnsByHand(page);
+  await panelsAreThickAndMotionsStandBeside(page);
   await page.setViewportSize({ width: 390, height: 844 });
-  for (const tab of ['pages']) {
+  for (const tab of ['pages', 'fold']) {
     await page.evaluate((t) => window.studio.tab(t), tab);
     await page.waitForTimeout(400);
     await picture(page, `${tab}-features-390`);

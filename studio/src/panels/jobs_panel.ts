@@ -202,7 +202,7 @@ export class JobsPanel {
     const view = (this.motion ??= this.makeView());
     if (!view) return this.offerPictures(place, name, bytes);
     place.append(view.element);
-    await view.show(name, bytes).catch(() => view.element.remove()); // without panels to draw: what it is was told above
+    await view.show({ name, bytes }).catch(() => view.element.remove()); // without panels to draw: what it is was told above
   }
   private async offerPictures(place: HTMLElement, name: string, bytes: Uint8Array): Promise<void> {
     const slider = document.createElement('input');
