@@ -52,9 +52,9 @@ class Studio {
       (edge) => void this.point(edge), (text) => this.say(text));
     this.pagesPanel = new PagesPanel(this.session, (work) => this.guarded(work));
     this.jobsPanel = new JobsPanel(this.session, (work) => this.guarded(work), (p) => this.progress(p), (name, bytes) => this.openMade(name, bytes),
-      () => (byId('no-space').hidden ? new MotionView(this.session, byId('painter').textContent!, colors.space) : undefined));
+      () => (byId('no-space').hidden ? new MotionView(this.session, byId('painter').textContent!, colors.space, (p) => this.progress(p)) : undefined));
     this.inflatePanel = new InflatePanel(this.session, this.space, (work) => this.guarded(work), (p) => this.progress(p), (text) => this.say(text), (name, bytes) => this.openMade(name, bytes));
-    this.patternPanel = new PatternPanel(this.session, (work) => this.guarded(work), (text) => this.say(text), (name, bytes, job) => this.toTools(name, bytes, job));
+    this.patternPanel = new PatternPanel(this.session, (work) => this.guarded(work), (text, kind) => this.say(text, kind), (p) => this.progress(p), (name, bytes, job) => this.toTools(name, bytes, job));
     this.listen();
   }
 
@@ -96,17 +96,25 @@ class Studio {
   }
   private async openFile(file: File | undefined): Promise<void> {
     if (!file) return;
-    if (file.name.toLowerCase().endsWith('.cp')) {
-      this.show('pattern');
-      return this.patternPanel.open(file);
-    }
+    if (/\.(cp|opx|ori|svg)$/i.test(file.name)) return this.openPattern(file);
+    let isPattern = false;
     await this.guarded(async () => {
       const { name, size } = file;
       this.say(`opening ${name} …`);
       if (size > kLargestFile)
         throw new Refused({ code: 'studio/file-too-large', message: `a file of ${size} bytes, where ${kLargestFile} fit`, where: name, suggestion: 'plico craft, on the command line' });
-      await this.session.open(name, new Uint8Array(await file.arrayBuffer()), (p) => this.progress(p));
+      try {
+        await this.session.open(name, new Uint8Array(await file.arrayBuffer()), (p) => this.progress(p));
+      } catch (error) {
+        isPattern = error instanceof Refused && error.failure.code === 'fold/no-mesh';
+        if (!isPattern) throw error;
+      }
     });
+    if (isPattern) await this.openPattern(file);
+  }
+  private openPattern(file: File): Promise<void> {
+    this.show('pattern');
+    return this.patternPanel.open(file);
   }
   private async openMade(name: string, bytes: Uint8Array): Promise<void> {
     const before = this.session.shape;

@@ -36,13 +36,15 @@ export class MotionFile {
   private readonly file: Fold;
   private readonly path: Waypoint[];
   private readonly edgeOf = new Map<number, number>(); // edges of the file by those of the model; hinges only
-  readonly isStraight: boolean;
+  readonly hasMotion: boolean;
+  private readonly panels: number;
 
   constructor(readonly name: string, readonly bytes: Uint8Array, model: Model, folds: Uint8Array) {
     const file = (this.file = JSON.parse(new TextDecoder().decode(bytes)) as Fold);
     const goal = (file.edges_foldAngle ?? []).map((angle) => angle ?? 0);
     const frames = (file.file_frames ?? []).filter((frame) => typeof frame['plico:time'] === 'number' && frame.edges_foldAngle);
-    this.isStraight = frames.length <= 2;
+    this.hasMotion = frames.length > 0;
+    this.panels = file.faces_vertices.length;
     this.path = frames.length
       ? frames.map((frame) => ({ time: frame['plico:time']!, angles: frame.edges_foldAngle!.map((angle) => angle ?? 0) }))
       : [{ time: 0, angles: goal.map(() => 0) }, { time: 1, angles: goal }];
@@ -56,6 +58,10 @@ export class MotionFile {
 
   get edges(): number[] {
     return [...this.edgeOf.keys()];
+  }
+  /** Without a motion the angles turn evenly, which vertices inside a sheet do not allow. */
+  get comesApart(): boolean {
+    return !this.hasMotion && this.edgeOf.size >= this.panels;
   }
   has(edge: number): boolean {
     return this.edgeOf.has(edge);

@@ -6,7 +6,7 @@ import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { accessible, complaintsOf, drop, openStudio, picture, startBrowser, until } from './browser.mjs';
+import { accessible, complaintsOf, drop, openStudio, picture, startBrowser, status, until } from './browser.mjs';
 
 const [pagePath, meshPath] = process.argv.slice(2);
 
@@ -122,6 +122,74 @@ async function panelsAreThickAndMotionsStandBeside(page) {
   await accessible(page, 'fold, beside');
 }
 
+const kinds = (page) => page.evaluate(() => JSON.parse(window.studio.pattern.text).edges_assignment.join(''));
+const creases = (page) => page.locator('#pattern .crease').count();
+
+async function patternsHaveNumbers(page) {
+  await page.click('#tab-pattern');
+  await page.selectOption('#pattern-name', 'miura');
+  await until(page, () => document.querySelectorAll('#pattern .crease').length > 30);
+  const before = await creases(page);
+  await page.fill('#pattern-numbers [name=size]', '3x4');
+  await page.press('#pattern-numbers [name=size]', 'Tab');
+  await until(page, (n) => document.querySelectorAll('#pattern .crease').length < n, before);
+  assert.equal(await creases(page), 31); // 3 x 4 parallelograms
+  await page.fill('#pattern-numbers [name=sector]', '45');
+  await page.press('#pattern-numbers [name=sector]', 'Tab');
+  await until(page, () => /miura, size 3x4, sector 45deg/.test(document.getElementById('status').textContent));
+  await picture(page, 'pattern-numbers');
+  await accessible(page, 'pattern, with numbers');
+}
+
+/** An SVG becomes a drawing like any other; its letters are found again, but for one that is locked. */
+async function anSvgIsEditedAndAssigned(page) {
+  const svg = await page.evaluate(async () => {
+    const { session, pattern } = window.studio;
+    const { files } = await session.job('export', [['file', 'p.fold'], ['output', 'p.svg']], { 'p.fold': new TextEncoder().encode(pattern.text) });
+    return new TextDecoder().decode(files['p.svg']);
+  });
+  await page.click('#pattern-new');
+  await drop(page, 'drawn.svg', svg);
+  await until(page, () => document.querySelectorAll('#pattern .crease').length === 31);
+  const first = await kinds(page);
+  assert.match(first, /M/);
+  await page.focus('#pattern');
+  for (let i = 0; !/, (mountain|valley),/.test(await status(page)) && i < 31; ++i) await page.keyboard.press(']');
+  const [, index, kind] = /line (\d+), (mountain|valley)/.exec(await status(page));
+  await page.keyboard.press(kind === 'mountain' ? 'v' : 'm'); // the other way round, and so it shall stay
+  for (let i = 0; !(await status(page)).startsWith(`line ${index},`) && i < 32; ++i) await page.keyboard.press(']');
+  await page.keyboard.press('l');
+  assert.equal(await page.locator('#pattern .lock').count(), 1);
+  await until(page, () => /wrong/.test(document.getElementById('pattern-verdict').textContent));
+  await page.click('#pattern-anew');
+  await until(page, () => /creases assigned/.test(document.getElementById('status').textContent));
+  assert.match(await status(page), /every vertex folds flat by itself.*verified/);
+  await until(page, () => /vertices fine/.test(document.getElementById('pattern-verdict').textContent));
+  assert.equal((await kinds(page))[index], kind === 'mountain' ? 'V' : 'M');
+  await picture(page, 'pattern-assigned');
+  await page.keyboard.press('Control+z');
+  await until(page, () => /wrong/.test(document.getElementById('pattern-verdict').textContent));
+  await page.keyboard.press('Control+Shift+z');
+}
+
+/** A sheet without a motion is not shown coming apart: one is found, with its lanes. */
+async function anUnevenSheetGetsAMotion(page) {
+  await page.click('#tab-jobs');
+  await page.click('button[data-job="origami make"]');
+  await until(page, () => /^plico origami make/.test(document.getElementById('job-command').textContent));
+  await page.selectOption('#job-form select', 'letter');
+  await page.click('#job-run');
+  await until(page, () => /the file holds no motion · shown is one that was found \(md-frog\) · proven free/.test(document.querySelector('#job-result .motion .report')?.textContent ?? ''));
+  const lanes = await page.$$eval('#job-result [role=option]', (all) => all.map((lane) => lane.getAttribute('aria-label')));
+  assert.equal(lanes.length, 3);
+  assert.match(lanes[0], /lane 1 of 3: 2 creases move from 0 to \d+ %/);
+  await page.focus('#job-result [role=option]');
+  for (const key of ['ArrowDown', 'ArrowDown']) await page.keyboard.press(key); // the first, then the second
+  assert.equal(await page.getAttribute('#job-result [role=option]:nth-child(2)', 'aria-selected'), 'true');
+  await picture(page, 'tools-lanes');
+  await accessible(page, 'tools, lanes');
+}
+
 const browser = await startBrowser(), complaints = [];
 try {
   const context = await browser.newContext({ viewport: { width: 1280, height: 820 }, reducedMotion: 'reduce' });
@@ -136,8 +204,11 @@ try {
   await creasesAreShown(page);
   await oneCreaseTurnsByHand(page);
   await panelsAreThickAndMotionsStandBeside(page);
+  await patternsHaveNumbers(page);
+  await anSvgIsEditedAndAssigned(page);
+  await anUnevenSheetGetsAMotion(page);
   await page.setViewportSize({ width: 390, height: 844 });
-  for (const tab of ['pages', 'fold']) {
+  for (const tab of ['pages', 'fold', 'pattern', 'jobs']) {
     await page.evaluate((t) => window.studio.tab(t), tab);
     await page.waitForTimeout(400);
     await picture(page, `${tab}-features-390`);
