@@ -18,6 +18,7 @@ type Tab = 'inflate' | 'net' | 'fold' | 'pages' | 'pattern' | 'jobs';
 const kTabs: Tab[] = ['inflate', 'net', 'fold', 'pages', 'pattern', 'jobs'];
 const kWithoutModel: Tab[] = ['pattern', 'jobs']; // need no shape
 const kLargestFile = 80_000_000; // bytes: no kind of file holds 5 million faces in less
+const kStepsListed = 100; // to either side
 const kHint = 'point at an edge in either picture: a click cuts or joins it';
 const kSamples = ['bird', 'dinosaur', 'fish', 'dog', 'torus', 'truncated-icosahedron'];
 
@@ -54,7 +55,7 @@ class Studio {
     this.jobsPanel = new JobsPanel(this.session, (work) => this.guarded(work), (p) => this.progress(p), (name, bytes) => this.openMade(name, bytes),
       () => (byId('no-space').hidden ? new MotionView(this.session, byId('painter').textContent!, colors.space, (p) => this.progress(p)) : undefined));
     this.inflatePanel = new InflatePanel(this.session, this.space, (work) => this.guarded(work), (p) => this.progress(p), (text) => this.say(text), (name, bytes) => this.openMade(name, bytes));
-    this.patternPanel = new PatternPanel(this.session, (work) => this.guarded(work), (text, kind) => this.say(text, kind), (p) => this.progress(p), (name, bytes, job) => this.toTools(name, bytes, job));
+    this.patternPanel = new PatternPanel(this.session, (work) => this.guarded(work), (text, kind) => this.say(text, kind), (p) => this.progress(p), () => this.steps(), (name, bytes, job) => this.toTools(name, bytes, job));
     this.listen();
   }
 
@@ -112,6 +113,17 @@ class Studio {
     });
     if (isPattern) await this.openPattern(file);
   }
+  /** A file, or the text of one. */
+  private paste(event: ClipboardEvent): void {
+    const data = event.clipboardData;
+    if (!data || event.target instanceof HTMLInputElement) return;
+    const text = data.getData('text/plain').trim(), line = text.split('\n', 1)[0]!;
+    const kind = /^[1-4]( +-?[\d.e-]+){4}\s*$/.test(line) ? 'cp' : /^<(\?xml|svg)/.test(line) ? 'svg' : line.startsWith('{') ? 'fold' : line.startsWith('OFF') ? 'off' : line.startsWith('ply') ? 'ply' : line.startsWith('solid') ? 'stl' : 'obj';
+    const file = data.files[0] ?? (text ? new File([text], `pasted.${kind}`) : undefined);
+    if (!file) return;
+    event.preventDefault();
+    void this.openFile(file);
+  }
   private openPattern(file: File): Promise<void> {
     this.show('pattern');
     return this.patternPanel.open(file);
@@ -167,12 +179,21 @@ class Studio {
     badge.textContent = valid ? `${inParts}, verified` : overlaps ? `${overlaps} overlaps` : (defects[0] ?? 'not a net');
   }
   private steps(): void {
-    const { undoable, redoable } = this.tab === 'pattern' ? this.patternPanel.steps : this.session.history;
-    for (const [id, step] of [['undo', undoable], ['redo', redoable]] as const) {
+    const history = this.tab === 'pattern' ? this.patternPanel.steps : this.session.history, { names, done } = history.list;
+    for (const [id, step] of [['undo', history.undoable], ['redo', history.redoable]] as const) {
       const button = byId<HTMLButtonElement>(id);
       button.disabled = !step;
       button.title = step ? `${id} ${step.name}` : id;
     }
+    const list = byId<HTMLSelectElement>('history'), first = Math.max(0, done - kStepsListed);
+    list.hidden = !names.length;
+    list.replaceChildren(...(first ? [] : [new Option('as it was opened', '0')]), ...names.slice(first, done + kStepsListed).map((name, i) => new Option(`${first + i + 1} ${name}`, String(first + i + 1))));
+    list.value = String(done);
+  }
+  /** To the state after so many steps. */
+  private async jump(to: number): Promise<void> {
+    const done = (): number => (this.tab === 'pattern' ? this.patternPanel.steps : this.session.history).list.done;
+    for (let left = Math.abs(to - done()); left > 0; --left) await (to < done() ? this.undo() : this.redo());
   }
 
   /** What lies under the pointer, and what a click would do. */
@@ -310,6 +331,8 @@ class Studio {
       e.preventDefault();
       void this.openFile(e.dataTransfer?.files[0]);
     });
+    addEventListener('paste', (e) => this.paste(e));
+    byId('history').addEventListener('change', ({ target }) => void this.jump(Number((target as HTMLSelectElement).value)));
     addEventListener('keydown', (e) => this.key(e));
     addEventListener('keyup', (e) => this.inflatePanel.keyUp(e));
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => (this.sheet.redraw(), this.space.redraw()));

@@ -6,7 +6,7 @@ import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { accessible, complaintsOf, drop, openStudio, picture, startBrowser, status, until } from './browser.mjs';
+import { accessible, complaintsOf, drop, openStudio, picture, projectText, startBrowser, status, until } from './browser.mjs';
 
 const [pagePath, meshPath] = process.argv.slice(2);
 
@@ -172,6 +172,34 @@ async function anSvgIsEditedAndAssigned(page) {
   await page.keyboard.press('Control+Shift+z');
 }
 
+/** Three edits of a net; the list of steps goes back before the first and on to the last. */
+async function stepsAreJumpedTo(page) {
+  await page.click('#tab-net');
+  const first = await projectText(page);
+  await page.evaluate(async () => {
+    const { session } = window.studio;
+    for (let edge = 0, made = 0; made < 3; ++edge) {
+      const edit = session.shape.isBorder(edge) ? null : await session.editFor(edge);
+      if (edit) await session.edit(`${edit.edit} edge ${edge}`, edit), ++made;
+    }
+  });
+  const last = await projectText(page), steps = await page.locator('#history option').count();
+  await page.selectOption('#history', String(steps - 4));
+  await until(page, (n) => document.getElementById('history').value === String(n), steps - 4);
+  assert.equal(await projectText(page), first);
+  await page.selectOption('#history', String(steps - 1));
+  await until(page, () => document.getElementById('redo').disabled);
+  assert.equal(await projectText(page), last);
+}
+async function textIsPasted(page) {
+  await page.evaluate(() => {
+    const data = new DataTransfer();
+    data.setData('text/plain', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n');
+    document.body.dispatchEvent(new ClipboardEvent('paste', { clipboardData: data, bubbles: true }));
+  });
+  await until(page, () => document.getElementById('name').textContent === 'pasted');
+}
+
 /** A sheet without a motion is not shown coming apart: one is found, with its lanes. */
 async function anUnevenSheetGetsAMotion(page) {
   await page.click('#tab-jobs');
@@ -207,6 +235,7 @@ try {
   await patternsHaveNumbers(page);
   await anSvgIsEditedAndAssigned(page);
   await anUnevenSheetGetsAMotion(page);
+  await stepsAreJumpedTo(page);
   await page.setViewportSize({ width: 390, height: 844 });
   for (const tab of ['pages', 'fold', 'pattern', 'jobs']) {
     await page.evaluate((t) => window.studio.tab(t), tab);
@@ -214,6 +243,7 @@ try {
     await picture(page, `${tab}-features-390`);
     assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 390, `${tab} fits a small screen`);
   }
+  await textIsPasted(page);
   assert.deepEqual(complaints, []);
 } finally {
   await browser.close();

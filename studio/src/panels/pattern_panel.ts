@@ -49,7 +49,7 @@ export class PatternPanel {
 
   constructor(
     private readonly session: Session, private readonly guarded: Guarded, private readonly say: (text: string, kind?: 'fine' | 'bad') => void,
-    private readonly progress: (p: Progress) => void,
+    private readonly progress: (p: Progress) => void, private readonly stepped: () => void,
     private readonly hand: (name: string, bytes: Uint8Array, job: string) => Promise<void>,
   ) {
     const svg = document.getElementById('pattern') as unknown as SVGSVGElement;
@@ -120,7 +120,7 @@ export class PatternPanel {
     this.changed();
     this.say(`done again: ${step.name}`);
   }
-  get steps(): { undoable?: { name: string }; redoable?: { name: string } } {
+  get steps(): History<PatternStep> {
     return this.history;
   }
   replace(name: string, by: Pattern): void {
@@ -314,11 +314,7 @@ export class PatternPanel {
     const { lines } = this.pattern;
     const wrong = new Set(this.problems.filter(({ severity }) => severity !== 'note').flatMap(({ edges }) => edges.map((e) => lines[e]!)));
     this.view.show(this.pattern, this.chosen, this.notes, wrong, lines.filter((line) => this.locks.has(keyOf(line))));
-    for (const [id, step] of [['undo', this.history.undoable], ['redo', this.history.redoable]] as const) {
-      if (document.body.dataset['tab'] !== 'pattern') continue;
-      byId<HTMLButtonElement>(id).disabled = !step;
-      byId(id).title = step ? `${id} ${step.name}` : id;
-    }
+    this.stepped();
   }
 
   // --- from elsewhere
