@@ -96,8 +96,9 @@ async function timesOf(mesh) {
       if (ended) delete times['inflation frame'];
     }
     const { files } = await session.job('origami make', [['name', 'miura'], ['size', '24x24'], ['output', 'miura.fold']], {});
-    await session.play('miura.fold', files['miura.fold']);
-    times['a Miura of 24 x 24, a frame'] = await several(31, (i) => session.playAt(i / 31));
+    const miura = { name: 'miura.fold', bytes: files['miura.fold'] };
+    await session.play(miura);
+    times['a Miura of 24 x 24, a frame'] = await several(31, (i) => session.playAt(i / 31, miura));
     await drawn();
     times['main thread blocked at most'] = window.longest;
     times['a search, stopped'] = await time(async () => {

@@ -22,6 +22,10 @@ export class History<S extends { name: string }> {
   get redoable(): S | undefined {
     return this.steps[this.at];
   }
+  /** All steps, also those that were undone, and how many are done. */
+  get list(): { names: string[]; done: number } {
+    return { names: this.steps.map(({ name }) => name), done: this.at };
+  }
   undone(): void {
     --this.at;
   }

@@ -18,6 +18,7 @@ type Tab = 'inflate' | 'net' | 'fold' | 'pages' | 'pattern' | 'jobs';
 const kTabs: Tab[] = ['inflate', 'net', 'fold', 'pages', 'pattern', 'jobs'];
 const kWithoutModel: Tab[] = ['pattern', 'jobs']; // need no shape
 const kLargestFile = 80_000_000; // bytes: no kind of file holds 5 million faces in less
+const kStepsListed = 100; // to either side
 const kHint = 'point at an edge in either picture: a click cuts or joins it';
 const kSamples = ['bird', 'dinosaur', 'fish', 'dog', 'torus', 'truncated-icosahedron'];
 
@@ -47,13 +48,14 @@ class Studio {
     const point = (edge: number): void => void this.point(edge);
     const click = (edge: number, event: PointerEvent): void => void this.act(edge, event.shiftKey);
     this.space = new SpaceView(byId('space'), byId('painter').textContent!, colors.space, point, click, (works) => (byId('no-space').hidden = works));
-    this.sheet = new SheetView(byId('sheet'), byId('painter').textContent!, colors.sheet, point, click);
-    this.foldPanel = new FoldPanel(this.session, this.space, (work) => this.guarded(work), (p) => this.progress(p));
+this.sheet = new SheetView(byId('sheet'), byId('painter').textContent!, colors.sheet, point, click);
+    this.foldPanel = new FoldPanel(this.session, this.space, (work) => this.guarded(work), (p) => this.progress(p),
+      (edge) => void this.point(edge), (text) => this.say(text));
     this.pagesPanel = new PagesPanel(this.session, (work) => this.guarded(work));
     this.jobsPanel = new JobsPanel(this.session, (work) => this.guarded(work), (p) => this.progress(p), (name, bytes) => this.openMade(name, bytes),
-      () => (byId('no-space').hidden ? new MotionView(this.session, byId('painter').textContent!, colors.space) : undefined));
+      () => (byId('no-space').hidden ? new MotionView(this.session, byId('painter').textContent!, colors.space, (p) => this.progress(p)) : undefined));
     this.inflatePanel = new InflatePanel(this.session, this.space, (work) => this.guarded(work), (p) => this.progress(p), (text) => this.say(text), (name, bytes) => this.openMade(name, bytes));
-    this.patternPanel = new PatternPanel(this.session, (work) => this.guarded(work), (text) => this.say(text), (name, bytes, job) => this.toTools(name, bytes, job));
+    this.patternPanel = new PatternPanel(this.session, (work) => this.guarded(work), (text, kind) => this.say(text, kind), (p) => this.progress(p), () => this.steps(), (name, bytes, job) => this.toTools(name, bytes, job));
     this.listen();
   }
 
@@ -95,17 +97,36 @@ class Studio {
   }
   private async openFile(file: File | undefined): Promise<void> {
     if (!file) return;
-    if (file.name.toLowerCase().endsWith('.cp')) {
-      this.show('pattern');
-      return this.patternPanel.open(file);
-    }
+    if (/\.(cp|opx|ori|svg)$/i.test(file.name)) return this.openPattern(file);
+    let isPattern = false;
     await this.guarded(async () => {
       const { name, size } = file;
       this.say(`opening ${name} …`);
       if (size > kLargestFile)
         throw new Refused({ code: 'studio/file-too-large', message: `a file of ${size} bytes, where ${kLargestFile} fit`, where: name, suggestion: 'plico craft, on the command line' });
-      await this.session.open(name, new Uint8Array(await file.arrayBuffer()), (p) => this.progress(p));
+      try {
+        await this.session.open(name, new Uint8Array(await file.arrayBuffer()), (p) => this.progress(p));
+      } catch (error) {
+        isPattern = error instanceof Refused && error.failure.code === 'fold/no-mesh';
+        if (!isPattern) throw error;
+      }
     });
+    if (isPattern) await this.openPattern(file);
+  }
+  /** A file, or the text of one. */
+  private paste(event: ClipboardEvent): void {
+    const data = event.clipboardData;
+    if (!data || event.target instanceof HTMLInputElement) return;
+    const text = data.getData('text/plain').trim(), line = text.split('\n', 1)[0]!;
+    const kind = /^[1-4]( +-?[\d.e-]+){4}\s*$/.test(line) ? 'cp' : /^<(\?xml|svg)/.test(line) ? 'svg' : line.startsWith('{') ? 'fold' : line.startsWith('OFF') ? 'off' : line.startsWith('ply') ? 'ply' : line.startsWith('solid') ? 'stl' : 'obj';
+    const file = data.files[0] ?? (text ? new File([text], `pasted.${kind}`) : undefined);
+    if (!file) return;
+    event.preventDefault();
+    void this.openFile(file);
+  }
+  private openPattern(file: File): Promise<void> {
+    this.show('pattern');
+    return this.patternPanel.open(file);
   }
   private async openMade(name: string, bytes: Uint8Array): Promise<void> {
     const before = this.session.shape;
@@ -158,16 +179,27 @@ class Studio {
     badge.textContent = valid ? `${inParts}, verified` : overlaps ? `${overlaps} overlaps` : (defects[0] ?? 'not a net');
   }
   private steps(): void {
-    const { undoable, redoable } = this.tab === 'pattern' ? this.patternPanel.steps : this.session.history;
-    for (const [id, step] of [['undo', undoable], ['redo', redoable]] as const) {
+    const history = this.tab === 'pattern' ? this.patternPanel.steps : this.session.history, { names, done } = history.list;
+    for (const [id, step] of [['undo', history.undoable], ['redo', history.redoable]] as const) {
       const button = byId<HTMLButtonElement>(id);
       button.disabled = !step;
       button.title = step ? `${id} ${step.name}` : id;
     }
+    const list = byId<HTMLSelectElement>('history'), first = Math.max(0, done - kStepsListed);
+    list.hidden = !names.length;
+    list.replaceChildren(...(first ? [] : [new Option('as it was opened', '0')]), ...names.slice(first, done + kStepsListed).map((name, i) => new Option(`${first + i + 1} ${name}`, String(first + i + 1))));
+    list.value = String(done);
+  }
+  /** To the state after so many steps. */
+  private async jump(to: number): Promise<void> {
+    const done = (): number => (this.tab === 'pattern' ? this.patternPanel.steps : this.session.history).list.done;
+    for (let left = Math.abs(to - done()); left > 0; --left) await (to < done() ? this.undo() : this.redo());
   }
 
   /** What lies under the pointer, and what a click would do. */
-  private async point(edge: number): Promise<void> {
+  private async point(under: number): Promise<void> {
+    const onFold = this.tab === 'fold', edge = onFold && under < 0 ? this.foldPanel.chosen : under;
+    if (onFold) this.foldPanel.pointed(edge);
     if (edge === this.sheet.edge) return;
     this.sheet.edge = edge;
     this.sheet.preview(undefined);
@@ -192,6 +224,7 @@ class Studio {
   }
 
   private act(edge: number, lock: boolean): Promise<void> {
+    if (this.tab === 'fold') this.foldPanel.pick(edge);
     if (this.tab !== 'net') return Promise.resolve();
     return this.guarded(async () => {
       const edit = lock ? this.lockOf(edge) : await this.session.editFor(edge);
@@ -245,6 +278,7 @@ class Studio {
     byId('panel-inflate').hidden = !open || tab !== 'inflate';
     byId('panel-net').hidden = tab !== 'net';
     byId('panel-fold').hidden = tab !== 'fold';
+    byId('fold-more').hidden = !open || tab !== 'fold';
     byId('panel-pages').hidden = !open || tab !== 'pages';
     byId('panel-pattern').hidden = tab !== 'pattern';
     byId('panel-jobs').hidden = tab !== 'jobs';
@@ -258,7 +292,7 @@ class Studio {
   }
 
   private showStart(): void {
-    for (const id of ['space-view', 'sheet-view', 'panel-inflate', 'panel-pages', 'panel-pattern', 'panel-jobs']) byId(id).hidden = true;
+    for (const id of ['space-view', 'sheet-view', 'fold-more', 'panel-inflate', 'panel-pages', 'panel-pattern', 'panel-jobs']) byId(id).hidden = true;
     byId('start').hidden = false;
     this.foldPanel.shown(false);
     this.inflatePanel.shown(false);
@@ -297,6 +331,8 @@ class Studio {
       e.preventDefault();
       void this.openFile(e.dataTransfer?.files[0]);
     });
+    addEventListener('paste', (e) => this.paste(e));
+    byId('history').addEventListener('change', ({ target }) => void this.jump(Number((target as HTMLSelectElement).value)));
     addEventListener('keydown', (e) => this.key(e));
     addEventListener('keyup', (e) => this.inflatePanel.keyUp(e));
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => (this.sheet.redraw(), this.space.redraw()));
@@ -323,8 +359,10 @@ class Studio {
       ...Object.fromEntries(kTabs.map((tab, i) => [String(i + 1), () => this.show(tab)])),
       '?': () => byId<HTMLDialogElement>('help').showModal(), Escape: () => this.session.stop(),
     };
-    if (this.tab === 'fold')
-      Object.assign(actions, { ',': () => this.foldPanel.step(-0.02), '.': () => this.foldPanel.step(0.02), ...(onButton ? {} : { ' ': () => this.foldPanel.play() }) });
+    if (this.tab === 'fold' && this.session.shape) {
+      if (this.foldPanel.key(event.key)) return true;
+      if (!onButton) actions[' '] = () => this.foldPanel.play();
+    }
     const onInflate = this.tab === 'inflate' && this.session.shape !== undefined && !(onButton && (event.key === ' ' || event.key === 'Enter'));
     if (onInflate && this.inflatePanel.key(event)) return true;
     const action = actions[event.key];
@@ -375,7 +413,7 @@ class Studio {
     button.hidden = !last;
     button.addEventListener('click', () => last && void this.guarded(async () => {
       await this.session.resume(last);
-      this.pagesPanel.resumed(last.places);
+      this.pagesPanel.resumed(last.places, last.form);
     }));
     document.documentElement.dataset['ready'] = 'true';
   }

@@ -44,7 +44,7 @@ export function meeting(l: { a: Point; b: Point }, m: { a: Point; b: Point }): P
   return at(l, t);
 }
 
-const keyOf = ({ a, b }: Line): string => [[a.x, a.y], [b.x, b.y]].sort((p, q) => p[0]! - q[0]! || p[1]! - q[1]!).join(' ');
+export const keyOf = ({ a, b }: { a: Point; b: Point }): string => [[a.x, a.y], [b.x, b.y]].sort((p, q) => p[0]! - q[0]! || p[1]! - q[1]!).join(' ');
 
 export class Pattern {
   private readonly byKey = new Map<string, Line>();
@@ -174,6 +174,16 @@ function scaled(lines: Line[]): Pattern | undefined {
   const pattern = new Pattern();
   for (const { a, b, kind } of inUnit) pattern.apply(pattern.drawing(a, b, kind));
   return pattern;
+}
+
+/** The kinds that a FOLD file gives to lines of this pattern: by their ends, which it left where they were. */
+export function kindsIn(text: string, lines: Line[]): Map<Line, Kind> {
+  const file = JSON.parse(text) as { vertices_coords: number[][]; edges_vertices: [number, number][]; edges_assignment: Kind[] };
+  const rounded = (p: Point): Point => ({ x: Number(p.x.toFixed(7)), y: Number(p.y.toFixed(7)) });
+  const at = (v: number): Point => rounded({ x: file.vertices_coords[v]![0]!, y: file.vertices_coords[v]![1]! });
+  const told = new Map(file.edges_vertices.map(([a, b], i) => [keyOf({ a: at(a), b: at(b) }), file.edges_assignment[i]!]));
+  const kinds = lines.map((line): [Line, Kind | undefined] => [line, told.get(keyOf({ a: rounded(line.a), b: rounded(line.b) }))]);
+  return new Map(kinds.filter((pair): pair is [Line, Kind] => pair[1] !== undefined && kKinds.includes(pair[1])));
 }
 
 /** The drawing of a FOLD file; nothing when there is none. */

@@ -2,11 +2,17 @@
 import type { Core } from './core/client';
 import type { Edit, Inflated, InflateOptions, JobDescription, JobResult, JobValues, Model, Progress, Snapshot } from './core/protocol';
 import { History, type Step } from './history';
-import { keepEdits, keepPlaces, keepProject, type Kept, type Places } from './store';
+import { keepEdits, keepForm, keepPlaces, keepProject, type Filled, type Kept, type Places } from './store';
 import { Shape } from './views/shape';
 
 const kSaveAfter = 100; // milliseconds without an edit
 const kEditsAtMost = 200; // until the project is written as a whole again
+
+/** A file that folds, to be looked at beside the document. */
+export interface PlayedFile {
+  name: string;
+  bytes: Uint8Array;
+}
 
 export class Session {
   readonly history = new History<Step>();
@@ -15,7 +21,7 @@ export class Session {
   private places: Places = new Map();
   private saved?: Kept & { edits: Edit[] }; // what a fresh worker needs to stand where we are
   private restoring = false; // a worker that ends at this is not given it again
-  private played?: { name: string; bytes: Uint8Array };
+  private played?: PlayedFile;
   private timer = 0;
   private writing: Promise<unknown> = Promise.resolve();
   private queue: Promise<unknown> = Promise.resolve();
@@ -127,6 +133,9 @@ export class Session {
     const { id } = this.saved;
     this.write(() => keepPlaces(id, places));
   }
+  keepForm(form: Filled): void {
+    this.write(() => keepForm(form));
+  }
   /** In order among themselves; nothing else waits for the disk. */
   private write(work: () => Promise<boolean>): void {
     this.writing = this.writing.then(async () => this.onKept(await work()));
@@ -172,12 +181,13 @@ export class Session {
   fold(time: number): Promise<Float32Array> {
     return this.core.call('fold', [time]);
   }
-  /** A file that folds, to be looked at beside the document. */
-  play(name: string, bytes: Uint8Array): Promise<{ model: Model; snapshot: Snapshot }> {
-    this.played = { name, bytes };
-    return this.inOrder(() => this.core.call('play', [name, bytes]));
+  play(file: PlayedFile): Promise<{ model: Model; snapshot: Snapshot }> {
+    this.played = file;
+    return this.inOrder(() => this.core.call('play', [file.name, file.bytes]));
   }
-  playAt(time: number): Promise<Float32Array> {
+  /** The worker has one file at a time. */
+  async playAt(time: number, file: PlayedFile): Promise<Float32Array> {
+    if (this.played !== file) await this.play(file);
     return this.core.call('playAt', [time]);
   }
   net(): Promise<Uint8Array> {

@@ -3,7 +3,7 @@
 // by `false` or `undefined`.
 import type { Edit } from './core/protocol';
 
-const kName = 'plico-studio', kStore = 'projects', kProject = 'current', kEdits = 'edits', kPattern = 'pattern', kPlaces = 'places';
+const kName = 'plico-studio', kStore = 'projects', kProject = 'current', kEdits = 'edits', kPattern = 'pattern', kPlaces = 'places', kForm = 'page form';
 
 export interface Kept {
   name: string;
@@ -60,16 +60,22 @@ export const keepEdits = (id: number, edits: Edit[]): Promise<boolean> => write(
 
 export const keepPlaces = (id: number, places: Places): Promise<boolean> => write({ [kPlaces]: { id, places } });
 
+/** Paper, size and whatever else was filled in, by the names of the fields; it is there for the next project too. */
+export type Filled = Record<string, string | boolean>;
+export const keepForm = (form: Filled): Promise<boolean> => write({ [kForm]: form });
+
 export const keepPattern = (text: string): Promise<boolean> => write({ [kPattern]: text });
 export const keptPattern = (): Promise<string | undefined> => read<string>(kPattern).catch(() => undefined);
 
-export async function kept(): Promise<(Kept & { edits: Edit[]; places: Places }) | undefined> {
+export async function kept(): Promise<(Kept & { edits: Edit[]; places: Places; form: Filled }) | undefined> {
   try {
-    const [project, since, where] = await Promise.all([
+    const [project, since, where, form] = await Promise.all([
       read<Kept>(kProject), read<{ id: number; edits: Edit[] }>(kEdits), read<{ id: number; places: Places }>(kPlaces),
+      read<Filled>(kForm),
     ]);
     return project && {
       ...project, edits: since?.id === project.id ? since.edits : [], places: where?.id === project.id ? where.places : new Map(),
+      form: form ?? {},
     };
   } catch {
     return undefined;

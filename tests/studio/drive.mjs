@@ -100,6 +100,7 @@ async function theToolsDoTheirJobs(page) {
   await page.click('#job-run');
   await page.waitForSelector('#job-result canvas', { timeout: 60000 });
   assert.match(await page.textContent('#job-result'), /waterbomb.fold/);
+  await until(page, () => / one that was found \(\w+\) · proven free/.test(document.querySelector('#job-result .motion .report').textContent));
   await until(page, () => document.querySelector('#job-result .motion span').textContent === '60 %');
   await page.click('#job-result .motion button');
   await until(page, () => document.querySelector('#job-result .motion span').textContent === '100 %');

@@ -228,7 +228,7 @@ export async function partsStayWhereTheyWerePut(page) {
   await drop(page, 'two.obj', lines.join('\n'));
   await until(page, () => document.getElementById('name').textContent === 'two');
   await page.click('#tab-pages');
-  await page.fill('input[name=longest]', '60');
+  await page.fill('input[name=size]', '60');
   await page.click('#page-form .strong');
   await until(page, () => [...document.querySelectorAll('.part')].filter((part) => part.getAttribute('aria-label').includes('page 1')).length === 2);
   await page.focus('.part');
@@ -243,6 +243,7 @@ export async function partsStayWhereTheyWerePut(page) {
   await page.click('#tab-pages');
   await until(page, () => document.querySelectorAll('.part').length === 2);
   assert.deepEqual((await places(page)).sort(), before);
+  assert.equal(await page.inputValue('input[name=size]'), '60');
 }
 
 const kDotsPerMm = 100; // 2540 dots an inch
@@ -268,7 +269,7 @@ export async function aHundredMillimetresAreAHundred(page) {
     await drop(page, 'square.obj', 'v 0 0 0\nv 100 0 0\nv 100 60 0\nv 0 60 0\nf 1 2 3 4\n');
     await until(page, () => document.getElementById('name').textContent === 'square');
     await page.click('#tab-pages');
-    await page.fill('input[name=longest]', '100');
+    await page.fill('input[name=size]', '100');
     await page.selectOption('select[name=style]', 'laser');
     await page.click('#page-form .strong');
     await until(page, () => /model 100.0 x 60.0/.test(document.getElementById('page-report').textContent));

@@ -10,21 +10,21 @@ type Guarded = (work: () => Promise<void>) => Promise<void>;
 const kGroups: [string, string[]][] = [
   ['Shape', ['check', 'info', 'simplify', 'inflate', 'segment', 'shell', 'sample']],
   ['Net', ['unfold', 'craft']],
-  ['Crease pattern', ['origami make', 'origami info', 'origami settle', 'fold']],
+  ['Crease pattern', ['origami make', 'origami info', 'origami settle', 'origami assign', 'fold']],
   ['Squares', ['voxelize', 'stack']],
   ['Files', ['print', 'export', 'verify']],
 ];
 const kTitles: Record<string, string> = {
-  'origami make': 'Make a pattern', 'origami info': 'Check a pattern', 'origami settle': 'Settle a pattern', fold: 'Fold', info: 'Measure',
+  'origami make': 'Make a pattern', 'origami info': 'Check a pattern', 'origami settle': 'Settle a pattern', 'origami assign': 'Assign a pattern', fold: 'Fold', info: 'Measure',
 };
 const kMesh = ['obj', 'off', 'stl', 'ply'];
 const kWrites: Record<string, string[]> = {
   check: ['', ...kMesh], simplify: kMesh, inflate: kMesh, sample: kMesh, shell: ['obj', 'stl'], segment: ['fold'], unfold: ['fold'],
-  craft: ['a folder'], 'origami make': ['fold'], 'origami settle': ['fold'], fold: ['fold'], voxelize: ['obj', 'stl', 'fold'],
+  craft: ['a folder'], 'origami make': ['fold'], 'origami settle': ['fold'], 'origami assign': ['fold'], fold: ['fold'], voxelize: ['obj', 'stl', 'fold'],
   stack: ['fold', 'html', 'stl', '3mf', 'csv'], print: ['pdf', 'svg', 'dxf'], export: ['html', 'png', 'glb', 'urdf', 'xml', 'csv'],
 };
 const kSuffix: Record<string, string> = {
-  check: '-clean', simplify: '-simple', inflate: '-round', shell: '-shells', 'origami settle': '-settled', fold: '-motion', voxelize: '-squares', stack: '-stack',
+  check: '-clean', simplify: '-simple', inflate: '-round', shell: '-shells', 'origami settle': '-settled', 'origami assign': '-assigned', fold: '-motion', voxelize: '-squares', stack: '-stack',
 };
 const kPictures: Record<string, string> = { svg: 'image/svg+xml', png: 'image/png' };
 
@@ -202,7 +202,7 @@ export class JobsPanel {
     const view = (this.motion ??= this.makeView());
     if (!view) return this.offerPictures(place, name, bytes);
     place.append(view.element);
-    await view.show(name, bytes).catch(() => view.element.remove()); // without panels to draw: what it is was told above
+    await view.show({ name, bytes }).catch(() => view.element.remove()); // without panels to draw: what it is was told above
   }
   private async offerPictures(place: HTMLElement, name: string, bytes: Uint8Array): Promise<void> {
     const slider = document.createElement('input');

@@ -27,10 +27,14 @@ export function polygonsOf(shape: Shape, place: PartPlace, scale: number): [numb
   });
 }
 
+export function boxOf(polygons: [number, number][][]): { low: [number, number]; high: [number, number] } {
+  const low: [number, number] = [Infinity, Infinity], high: [number, number] = [-Infinity, -Infinity];
+  for (const p of polygons.flat()) for (const axis of [0, 1] as const) low[axis] = Math.min(low[axis], p[axis]), high[axis] = Math.max(high[axis], p[axis]);
+  return { low, high };
+}
 export function middleOf(polygons: [number, number][][]): [number, number] {
-  const xs = polygons.flat().map((p) => p[0]), ys = polygons.flat().map((p) => p[1]);
-  const least = (of: number[]): number => of.reduce((a, b) => Math.min(a, b)), most = (of: number[]): number => of.reduce((a, b) => Math.max(a, b));
-  return [(least(xs) + most(xs)) / 2, (least(ys) + most(ys)) / 2];
+  const { low, high } = boxOf(polygons);
+  return [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2];
 }
 
 export function turned<P extends Place>(place: P, degrees: number, [x, y]: [number, number]): P {

@@ -22,13 +22,13 @@ export class PageView {
   readonly element = document.createElement('figure');
   private readonly overlay: SVGSVGElement;
   private readonly url: string;
-  private readonly height: number; // millimetres
+  readonly size: readonly [number, number]; // across and up, in millimetres
 
   constructor(private readonly page: number, pages: number, svg: Uint8Array, private readonly gestures: PageGestures) {
     this.url = URL.createObjectURL(new Blob([svg as Uint8Array<ArrayBuffer>], { type: 'image/svg+xml' }));
     const box = /viewBox="([\d.]+) ([\d.]+) ([\d.]+) ([\d.]+)"/.exec(new TextDecoder().decode(svg.subarray(0, 1000)));
     const [width, height] = [Number(box?.[3] ?? 210), Number(box?.[4] ?? 297)];
-    this.height = height;
+    this.size = [width, height];
     const image = document.createElement('img'), caption = document.createElement('figcaption');
     image.src = this.url;
     image.alt = `Page ${page} of ${pages}`;
@@ -49,9 +49,9 @@ export class PageView {
   add(part: PartPlace, polygons: [number, number][][], byHand: boolean): SVGElement {
     const shown = made('g', {
       class: byHand ? 'part by-hand' : 'part', tabindex: 0, role: 'button',
-      'aria-label': `Part ${part.part}, page ${part.page}${byHand ? ', placed by hand' : ''}. Arrows move it, R turns it, Page Down sends it on, U lets it go.`,
+      'aria-label': `Part ${part.part}, page ${part.page}${byHand ? ', placed by hand' : ''}. Arrows move it, R turns it, S straightens it, C puts it in the middle, Home, End, T and B at a margin, Page Down sends it on, U lets it go.`,
     });
-    const path = polygons.map((polygon) => `M${polygon.map(([x, y]) => `${x.toFixed(2)} ${(this.height - y).toFixed(2)}`).join('L')}Z`).join('');
+    const path = polygons.map((polygon) => `M${polygon.map(([x, y]) => `${x.toFixed(2)} ${(this.size[1] - y).toFixed(2)}`).join('L')}Z`).join('');
     shown.append(made('path', { d: path }));
     this.overlay.append(shown);
     shown.addEventListener('pointerdown', (event) => this.take(shown, part, event as PointerEvent));

@@ -2,15 +2,16 @@
 import type { JobResult, JobValues } from '../core/protocol';
 import { byId, download } from '../page';
 import type { Session } from '../session';
-import type { Places } from '../store';
-import { keyOf, middleOf, polygonsOf, putOf, straightening, turned, type PartPlace } from './page_parts';
+import { zipped } from '../zip';
+import type { Filled, Places } from '../store';
+import { PageForm } from './page_form';
+import { boxOf, keyOf, middleOf, polygonsOf, putOf, straightening, turned, type PartPlace } from './page_parts';
 import { PageView } from './page_view';
 
 type Guarded = (work: () => Promise<void>) => Promise<void>;
 
-const kTabSides = ['auto', 'alternate', 'left', 'right', 'both', 'none'];
 const kExports = [['html', 'folding page'], ['glb', 'animation (glTF)'], ['urdf', 'robot (URDF)'], ['xml', 'robot (MuJoCo)'], ['csv', 'angles (CSV)']] as const;
-const kStyles = ['paper', 'origami', 'laser', 'bw'];
+const kAll = 'all (ZIP)';
 const kTurn = 15, kSmallTurn = 1; // degrees
 const kMove = 1, kLargeMove = 10; // millimetres
 
@@ -22,16 +23,19 @@ export class PagesPanel {
   private scale = 1; // millimetres per unit of the model
   private ownChange = false; // what was edited is where parts lie
   private focused = '';
+  private readonly form: PageForm;
 
   constructor(private readonly session: Session, private readonly guarded: Guarded) {
     const form = byId<HTMLFormElement>('page-form');
-    for (const [name, choices] of [['tabs', kTabSides], ['style', kStyles]] as const)
-      for (const choice of choices) (form.elements.namedItem(name) as HTMLSelectElement).append(new Option(choice, choice));
+    this.form = new PageForm(form);
     form.addEventListener('submit', (e) => {
       e.preventDefault();
       void this.layOut(this.byHand());
     });
-    form.addEventListener('change', () => void this.layOut(this.byHand()));
+    form.addEventListener('change', () => {
+      this.session.keepForm(this.form.filled);
+      void this.layOut(this.byHand());
+    });
     byId('repack').addEventListener('click', () => void this.keep('lay all out anew', new Map()));
     byId('repack-others').addEventListener('click', () => void this.keep('lay the others out anew', this.byHand()));
     this.offer('PDF', () => this.pages('pdf'));
@@ -40,6 +44,7 @@ export class PagesPanel {
     this.offer('FOLD', async () => ({ [`${this.name()}.fold`]: await this.session.net() }));
     this.offer('project', async () => ({ [`${this.name()}.plico`]: await this.session.project() }));
     for (const [kind, label] of kExports) this.offer(label, () => this.exported(kind));
+    this.offer(kAll, async () => ({ [`${this.name()}.zip`]: zipped(await this.everything()) }));
   }
 
   newModel(): void {
@@ -53,8 +58,9 @@ export class PagesPanel {
     this.ownChange = false;
     this.fresh = false;
   }
-  /** Where parts lay when the project was left. */
-  resumed(places: Places): void {
+  /** Where parts lay when the project was left, and what was filled in. */
+  resumed(places: Places, filled: Filled): void {
+    this.form.fill(filled);
     this.kept = places;
     this.session.keepPlaces(places);
   }
@@ -70,15 +76,11 @@ export class PagesPanel {
   }
 
   private async pages(kind: 'pdf' | 'svg' | 'dxf'): Promise<Record<string, Uint8Array>> {
-    const form = new FormData(byId<HTMLFormElement>('page-form'));
     const net = `${this.name()}.fold`;
-    const values: JobValues = [['net', net], ['output', `${this.name()}.${kind}`], ['title', this.session.shape!.model.name]];
-    for (const name of ['page', 'tabs', 'style']) values.push([name, String(form.get(name))]);
-    if (form.get('longest')) values.push(['longest', `${String(form.get('longest'))}mm`]);
-    if (form.get('split')) values.push(['split', 'true']);
+    const values: JobValues = [['net', net], ['output', `${this.name()}.${kind}`], ['title', this.session.shape!.model.name], ...this.form.values()];
     const { parts, panels } = this.partsOfNet();
     for (const [key, place] of this.kept)
-      if (form.get('split') || panels.has(key)) values.push(['put', putOf({ ...place, page: Math.min(place.page, parts) })]);
+      if (this.form.splits || panels.has(key)) values.push(['put', putOf({ ...place, page: Math.min(place.page, parts) })]);
     const result = await this.session.job('print', values, { [net]: await this.session.net() });
     this.tell(result);
     const print = result.report['print'] as { places: PartPlace[]; scale_mm_per_unit: number };
@@ -99,6 +101,11 @@ export class PagesPanel {
     const byPart: number[][] = [];
     this.session.shape!.snapshot.parts.forEach((part, face) => (byPart[part] ??= []).push(face));
     return { parts: Math.max(byPart.length, this.parts.length), panels: new Set(byPart.map((faces) => faces.join(' '))) };
+  }
+  private async everything(): Promise<Record<string, Uint8Array>> {
+    const files: Record<string, Uint8Array> = {};
+    for (const make of this.makers) Object.assign(files, await make());
+    return files;
   }
   private async exported(kind: string): Promise<Record<string, Uint8Array>> {
     const net = `${this.name()}.fold`;
@@ -150,6 +157,16 @@ export class PagesPanel {
     const middle = middleOf(polygonsOf(this.session.shape!, part, this.scale));
     return this.place(part, turned(part, degrees, middle), 'turn');
   }
+  /** Into the middle of its page, or to a margin: -1 is left or below, 1 right or above, 0 the middle. */
+  private align(part: PartPlace, across: number | undefined, up: number | undefined): Promise<void> {
+    const { low, high } = boxOf(polygonsOf(this.session.shape!, part, this.scale)), { size } = this.views[part.page - 1]!, { margin } = this.form;
+    const by = (axis: 0 | 1, way: number | undefined): number => {
+      if (way === undefined) return 0;
+      if (way < 0) return margin - low[axis];
+      return way > 0 ? size[axis] - margin - high[axis] : (size[axis] - low[axis] - high[axis]) / 2;
+    };
+    return this.place(part, { ...part, x: part.x + by(0, across), y: part.y + by(1, up) }, 'align');
+  }
   private key(part: PartPlace, event: KeyboardEvent): boolean {
     const far = event.shiftKey ? kLargeMove : kMove;
     const by = (dx: number, dy: number) => () => this.move(part, part.page, dx, dy);
@@ -157,6 +174,8 @@ export class PagesPanel {
       ArrowLeft: by(-far, 0), ArrowRight: by(far, 0), ArrowUp: by(0, far), ArrowDown: by(0, -far),
       r: () => this.turn(part, kTurn), R: () => this.turn(part, -kTurn), '[': () => this.turn(part, kSmallTurn), ']': () => this.turn(part, -kSmallTurn),
       s: () => this.turn(part, straightening(polygonsOf(this.session.shape!, part, this.scale))),
+      c: () => this.align(part, 0, 0), Home: () => this.align(part, -1, undefined), End: () => this.align(part, 1, undefined),
+      t: () => this.align(part, undefined, 1), b: () => this.align(part, undefined, -1),
       PageUp: () => part.page > 1 && this.move(part, part.page - 1, 0, 0),
       PageDown: () => part.page < this.parts.length && this.move(part, part.page + 1, 0, 0),
       u: () => this.keep(`let part ${part.part} go`, new Map([...this.byHand()].filter(([key]) => key !== keyOf(part)))),
@@ -165,7 +184,9 @@ export class PagesPanel {
     return event.key in actions;
   }
 
+  private readonly makers: (() => Promise<Record<string, Uint8Array>>)[] = [];
   private offer(label: string, make: () => Promise<Record<string, Uint8Array>>): void {
+    if (label !== kAll) this.makers.push(make);
     const button = document.createElement('button');
     button.textContent = `Save ${label}`;
     button.addEventListener('click', () => void this.guarded(async () => {

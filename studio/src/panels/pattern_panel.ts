@@ -1,16 +1,18 @@
 // A crease pattern: draw, assign, mirror, undo; the core judges it after every edit.
 import { Refused } from '../core/client';
+import type { Progress } from '../core/protocol';
 import { History } from '../history';
 import { byId, download } from '../page';
 import {
-  distance, kKindNames, kKinds, mirrored, patternOf, patternOfCp, square, type Kind, type Line, type Mirror, type Pattern, type PatternEdit, type Point,
+  distance, keyOf, kindsIn, kKindNames, kKinds, mirrored, Pattern, patternOf, patternOfCp, square, type Kind, type Line, type Mirror, type PatternEdit, type Point,
 } from '../pattern';
 import type { Session } from '../session';
 import { keepPattern, keptPattern } from '../store';
 import { PatternView, type VertexNote } from '../views/pattern_view';
 
 type Guarded = (work: () => Promise<void>) => Promise<void>;
-type Tool = 'draw' | 'assign' | 'erase';
+type Tool = 'draw' | 'assign' | 'lock' | 'erase';
+const kTools: Tool[] = ['draw', 'assign', 'lock', 'erase'];
 interface PatternStep {
   name: string;
   edit: PatternEdit;
@@ -42,9 +44,12 @@ export class PatternPanel {
   private judged = 0;
   private loading?: Promise<void>;
   private problems: Problem[] = [];
+  private readonly locks = new Set<string>(); // keys of lines that keep their kind when mountains and valleys are sought
+  private named = ''; // the pattern that the numbers are of
 
   constructor(
-    private readonly session: Session, private readonly guarded: Guarded, private readonly say: (text: string) => void,
+    private readonly session: Session, private readonly guarded: Guarded, private readonly say: (text: string, kind?: 'fine' | 'bad') => void,
+    private readonly progress: (p: Progress) => void, private readonly stepped: () => void,
     private readonly hand: (name: string, bytes: Uint8Array, job: string) => Promise<void>,
   ) {
     const svg = document.getElementById('pattern') as unknown as SVGSVGElement;
@@ -53,7 +58,7 @@ export class PatternPanel {
     svg.addEventListener('pointerdown', (e) => this.pressed(e));
     svg.addEventListener('pointerup', (e) => this.released(e));
     svg.addEventListener('pointerleave', () => this.view.draft(this.from, undefined));
-    for (const tool of ['draw', 'assign', 'erase'] as const) byId(`tool-${tool}`).addEventListener('click', () => this.use(tool));
+    for (const tool of kTools) byId(`tool-${tool}`).addEventListener('click', () => this.use(tool));
     for (const kind of kKinds) byId(`kind-${kind}`).addEventListener('click', () => this.setKind(kind));
     byId('pattern-new').addEventListener('click', () => this.replace('a new sheet', square()));
     byId<HTMLSelectElement>('pattern-name').addEventListener('change', (e) => void this.makeNamed(e.target as HTMLSelectElement));
@@ -61,6 +66,10 @@ export class PatternPanel {
       const input = target as HTMLInputElement, file = input.files?.[0];
       if (file) void this.open(file).then(() => (input.value = ''));
     });
+    byId('pattern-find').addEventListener('click', () => void this.find(false));
+    byId('pattern-anew').addEventListener('click', () => void this.find(true));
+    byId('pattern-numbers').addEventListener('change', () => void this.make());
+    byId('pattern-numbers').addEventListener('submit', (e) => e.preventDefault());
     byId('pattern-save').addEventListener('click', () => download(kFile, this.bytes()));
     byId('pattern-fold').addEventListener('click', () => void this.hand(kFile, this.bytes(), 'fold'));
     byId('pattern-print').addEventListener('click', () => void this.hand(kFile, this.bytes(), 'print'));
@@ -111,11 +120,13 @@ export class PatternPanel {
     this.changed();
     this.say(`done again: ${step.name}`);
   }
-  get steps(): { undoable?: { name: string }; redoable?: { name: string } } {
+  get steps(): History<PatternStep> {
     return this.history;
   }
   replace(name: string, by: Pattern): void {
     this.from = undefined;
+    byId('pattern-numbers').hidden = true;
+    this.locks.clear();
     this.edit(name, { remove: this.pattern.lines, add: by.lines });
   }
   private changed(): void {
@@ -148,6 +159,12 @@ export class PatternPanel {
     const lines = this.mirrorOf(line);
     this.edit(`${kKindNames[line.kind]} to ${kKindNames[kind]}`, { remove: lines, add: lines.map((l) => ({ ...l, kind })) });
   }
+  private lock(line: Line): void {
+    const is = this.locks.has(keyOf(line));
+    for (const one of this.mirrorOf(line)) this.locks[is ? 'delete' : 'add'](keyOf(one));
+    this.show();
+    this.say(`${is ? 'unlocked' : 'locked'}: a ${kKindNames[line.kind]}${is ? '' : ' keeps its kind when mountains and valleys are sought'}`);
+  }
   private erase(line: Line): void {
     this.edit(`erase a ${kKindNames[line.kind]}`, this.pattern.erasing(this.mirrorOf(line)));
   }
@@ -170,8 +187,8 @@ export class PatternPanel {
       if (line) this.assign(line, line.kind === this.kind ? kKinds[(kKinds.indexOf(line.kind) + 1) % kKinds.length]! : this.kind);
       return;
     }
-    if (this.tool === 'erase') {
-      if (line) this.erase(line);
+    if (this.tool === 'erase' || this.tool === 'lock') {
+      if (line) this.tool === 'erase' ? this.erase(line) : this.lock(line);
       return;
     }
     if (!this.from) return;
@@ -198,6 +215,7 @@ export class PatternPanel {
       Enter: () => this.strike(), n: () => this.nextPoint(1), N: () => this.nextPoint(-1), '[': () => this.choose(-1), ']': () => this.choose(1),
       Delete: () => this.chosen && this.erase(this.chosen), Backspace: () => this.chosen && this.erase(this.chosen),
       Escape: () => this.forget(), d: () => this.use('draw'), a: () => this.use('assign'), e: () => this.use('erase'),
+      l: () => (this.chosen ? this.lock(this.chosen) : this.use('lock')),
     };
     actions[event.key]?.();
     return event.key in actions;
@@ -239,13 +257,13 @@ export class PatternPanel {
     this.show();
     if (!this.chosen) return;
     const { a, b, kind } = this.chosen;
-    this.say(`line ${lines.indexOf(this.chosen)}, ${kKindNames[kind]}, ${a.x.toFixed(3)} ${a.y.toFixed(3)} to ${b.x.toFixed(3)} ${b.y.toFixed(3)} · M V F U B give it a kind, Delete erases it`);
+    this.say(`line ${lines.indexOf(this.chosen)}, ${kKindNames[kind]}${this.locks.has(keyOf(this.chosen)) ? ', locked' : ''}, ${a.x.toFixed(3)} ${a.y.toFixed(3)} to ${b.x.toFixed(3)} ${b.y.toFixed(3)} · M V F U B give it a kind, L locks it, Delete erases it`);
   }
 
   private use(tool: Tool): void {
     this.tool = tool;
     this.from = undefined;
-    for (const t of ['draw', 'assign', 'erase']) byId(`tool-${t}`).setAttribute('aria-pressed', String(t === tool));
+    for (const t of kTools) byId(`tool-${t}`).setAttribute('aria-pressed', String(t === tool));
     byId('pattern').dataset['tool'] = tool;
     this.view.draft(undefined, undefined);
   }
@@ -295,12 +313,8 @@ export class PatternPanel {
     this.notes = notes.length || !this.chosen ? notes : this.notes;
     const { lines } = this.pattern;
     const wrong = new Set(this.problems.filter(({ severity }) => severity !== 'note').flatMap(({ edges }) => edges.map((e) => lines[e]!)));
-    this.view.show(this.pattern, this.chosen, this.notes, wrong);
-    for (const [id, step] of [['undo', this.history.undoable], ['redo', this.history.redoable]] as const) {
-      if (document.body.dataset['tab'] !== 'pattern') continue;
-      byId<HTMLButtonElement>(id).disabled = !step;
-      byId(id).title = step ? `${id} ${step.name}` : id;
-    }
+    this.view.show(this.pattern, this.chosen, this.notes, wrong, lines.filter((line) => this.locks.has(keyOf(line))));
+    this.stepped();
   }
 
   // --- from elsewhere
@@ -311,20 +325,50 @@ export class PatternPanel {
       byId<HTMLSelectElement>('pattern-name').append(new Option(`${name} · ${description}`, name));
   }
   private makeNamed(choice: HTMLSelectElement): Promise<void> {
-    const name = choice.value;
+    this.named = choice.value || this.named;
     choice.value = '';
-    if (!name) return Promise.resolve();
+    byId<HTMLFormElement>('pattern-numbers').reset();
+    return this.make();
+  }
+  /** The named pattern, with the numbers that were filled in. */
+  private make(): Promise<void> {
+    const { named } = this, form = byId<HTMLFormElement>('pattern-numbers');
+    if (!named) return Promise.resolve();
     return this.guarded(async () => {
-      const { files } = await this.session.job('origami make', [['name', name], ['output', kFile]], {});
-      this.replace(name, patternOf(new TextDecoder().decode(files[kFile]))!);
+      const filled = [...new FormData(form)].filter(([, value]) => value).map(([name, value]): [string, string] => [name, name === 'diagonals' ? 'true' : `${String(value)}${name === 'size' ? '' : 'deg'}`]);
+      const { files } = await this.session.job('origami make', [['name', named], ...filled, ['output', kFile]], {});
+      this.replace([named, ...filled.map(([name, value]) => `${name} ${value}`)].join(', '), patternOf(new TextDecoder().decode(files[kFile]))!);
+      byId('pattern-made').textContent = `${named}: its numbers`;
+      form.hidden = false;
     });
+  }
+
+  /** Mountains and valleys for lines that are either; `anew`: for all that are not locked. */
+  private find(anew: boolean): Promise<void> {
+    return this.guarded(async () => {
+      const { lines } = this.pattern, free = new Set(lines.filter((line) => line.kind === 'U' || (anew && 'MV'.includes(line.kind) && !this.locks.has(keyOf(line)))));
+      if (!free.size) return this.say('no line is either a mountain or a valley: give some the kind U, or seek all anew');
+      const asked = new Pattern(lines.map((line) => (free.has(line) ? { ...line, kind: 'U' as Kind } : line))).fold('pattern');
+      const { files, messages } = await this.session.job('origami assign', [['PATTERN', 'asked.fold'], ['output', kFile]], { 'asked.fold': new TextEncoder().encode(asked) }, this.progress);
+      const told = messages.filter(({ tone }) => tone !== 'detail').map(({ text }) => text.trim()), found = files[kFile];
+      if (!found) return this.say(told.at(-1) ?? 'none was found', 'bad');
+      const kinds = kindsIn(new TextDecoder().decode(found), [...free]), changed = [...kinds].filter(([line, kind]) => line.kind !== kind);
+      this.edit('find mountains and valleys', { remove: changed.map(([line]) => line), add: changed.map(([line, kind]) => ({ ...line, kind })) });
+      this.say(told.slice(-2).join(' · '));
+    });
+  }
+  /** A drawing of another kind, as the core reads it. */
+  private async read(file: File): Promise<Pattern | undefined> {
+    const bytes = new Uint8Array(await file.arrayBuffer());
+    const { files } = await this.session.job('export', [['file', file.name], ['output', kFile]], { [file.name]: bytes }, this.progress);
+    return files[kFile] && patternOf(new TextDecoder().decode(files[kFile]));
   }
   open(file: File): Promise<void> {
     return this.guarded(async () => {
       await this.load();
       if (file.size > kLargestFile) throw refused('studio/pattern-too-large', `a file of ${file.size} bytes, where ${kLargestFile} fit`, file.name);
-      const text = await file.text();
-      const pattern = file.name.toLowerCase().endsWith('.cp') ? patternOfCp(text) : patternOf(text);
+      const text = await file.text(), kind = file.name.slice(file.name.lastIndexOf('.') + 1).toLowerCase();
+      const pattern = kind === 'cp' ? patternOfCp(text) : kind === 'fold' ? patternOf(text) : await this.read(file);
       if (!pattern) throw refused('studio/no-pattern', 'no crease pattern is in this file', file.name);
       this.replace(`open ${file.name}`, pattern);
     });
@@ -332,7 +376,7 @@ export class PatternPanel {
 }
 
 const refused = (code: string, message: string, where: string): Refused =>
-  new Refused({ code, message, where, suggestion: 'a .cp file, or FOLD with vertices and edges; Tools reads the other kinds' });
+  new Refused({ code, message, where, suggestion: 'a drawing with lines: .cp, .opx, .ori, SVG, or FOLD with vertices and edges' });
 
 /** What two edits one after the other change. */
 function bothOf(first: PatternEdit, second: PatternEdit): PatternEdit {

@@ -10,6 +10,7 @@ export interface Controls {
 
 export class Player {
   time = 1;
+  speed = 1;
   private playing = false;
   private asking = false;
   private wanted?: number;
@@ -29,7 +30,7 @@ export class Player {
     let last = performance.now();
     const tick = async (now: number): Promise<void> => {
       if (!this.playing) return;
-      const shown = await this.set(this.time + (now - last) / 1000 / kSecondsForAll);
+      const shown = await this.set(this.time + ((now - last) / 1000 / kSecondsForAll) * this.speed);
       last = now;
       if (!shown || this.time >= 1) return this.stop();
       requestAnimationFrame((next) => void tick(next));

@@ -21,18 +21,18 @@ function made(tag: string, attributes: Record<string, string | number>): SVGElem
 export class PatternView {
   private pattern?: Pattern;
   private size: Point = { x: 1, y: 1 };
-  private readonly layers: Record<'lines' | 'notes' | 'draft', SVGElement>;
+  private readonly layers: Record<'lines' | 'locks' | 'notes' | 'draft', SVGElement>;
 
   constructor(private readonly svg: SVGSVGElement) {
-    this.layers = { lines: made('g', {}), notes: made('g', {}), draft: made('g', { 'pointer-events': 'none' }) };
+    this.layers = { lines: made('g', {}), locks: made('g', {}), notes: made('g', {}), draft: made('g', { 'pointer-events': 'none' }) };
     svg.append(...Object.values(this.layers));
     new ResizeObserver(() => this.redraw()).observe(svg);
   }
   redraw = (): void => undefined; // set by show()
 
-  show(pattern: Pattern, chosen: Line | undefined, notes: VertexNote[], wrong: ReadonlySet<Line>): void {
+  show(pattern: Pattern, chosen: Line | undefined, notes: VertexNote[], wrong: ReadonlySet<Line>, locked: Line[]): void {
     this.pattern = pattern;
-    this.redraw = () => this.show(pattern, chosen, notes, wrong);
+    this.redraw = () => this.show(pattern, chosen, notes, wrong, locked);
     const points = pattern.points;
     this.size = { x: Math.max(1e-9, ...points.map((p) => p.x)), y: Math.max(1e-9, ...points.map((p) => p.y)) };
     const most = Math.max(this.size.x, this.size.y), free = kAround * most;
@@ -41,6 +41,10 @@ export class PatternView {
     this.layers.lines.replaceChildren(...pattern.lines.map((line) => {
       const place = { x1: line.a.x, y1: this.size.y - line.a.y, x2: line.b.x, y2: this.size.y - line.b.y };
       return made('line', { ...place, class: `crease ${kKindNames[line.kind]}${line === chosen ? ' chosen' : ''}${wrong.has(line) ? ' wrong' : ''}` });
+    }));
+    this.layers.locks.replaceChildren(...locked.map(({ a, b }) => {
+      const x = (a.x + b.x) / 2, y = this.size.y - (a.y + b.y) / 2;
+      return made('rect', { x: x - 5 * unit, y: y - 5 * unit, width: 10 * unit, height: 10 * unit, class: 'lock' });
     }));
     this.layers.notes.replaceChildren(...notes.flatMap(({ name, at, fine, text }) => {
       const mark = made('circle', { cx: at.x, cy: this.size.y - at.y, r: (fine ? 4 : 8) * unit, class: fine ? 'vertex fine' : 'vertex wrong' });
