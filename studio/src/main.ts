@@ -48,7 +48,7 @@ class Studio {
     const point = (edge: number): void => void this.point(edge);
     const click = (edge: number, event: PointerEvent): void => void this.act(edge, event.shiftKey);
     this.space = new SpaceView(byId('space'), byId('painter').textContent!, colors.space, point, click, (works) => (byId('no-space').hidden = works));
-this.sheet = new SheetView(byId('sheet'), byId('painter').textContent!, colors.sheet, point, click);
+    this.sheet = new SheetView(byId('sheet'), byId('painter').textContent!, colors.sheet, point, click);
     this.foldPanel = new FoldPanel(this.session, this.space, (work) => this.guarded(work), (p) => this.progress(p),
       (edge) => void this.point(edge), (text) => this.say(text));
     this.pagesPanel = new PagesPanel(this.session, (work) => this.guarded(work));
@@ -92,8 +92,12 @@ this.sheet = new SheetView(byId('sheet'), byId('painter').textContent!, colors.s
   open(name: string, bytes: Uint8Array): Promise<void> {
     return this.guarded(async () => {
       this.say(`opening ${name} …`);
-      await this.session.open(name, bytes, (p) => this.progress(p));
+      await this.openBytes(name, bytes);
     });
+  }
+  private openBytes(name: string, bytes: Uint8Array): Promise<void> {
+    this.foldPanel.expect(/\.fold$/i.test(name) ? { name, bytes } : undefined);
+    return this.session.open(name, bytes, (p) => this.progress(p));
   }
   private async openFile(file: File | undefined): Promise<void> {
     if (!file) return;
@@ -105,7 +109,7 @@ this.sheet = new SheetView(byId('sheet'), byId('painter').textContent!, colors.s
       if (size > kLargestFile)
         throw new Refused({ code: 'studio/file-too-large', message: `a file of ${size} bytes, where ${kLargestFile} fit`, where: name, suggestion: 'plico craft, on the command line' });
       try {
-        await this.session.open(name, new Uint8Array(await file.arrayBuffer()), (p) => this.progress(p));
+        await this.openBytes(name, new Uint8Array(await file.arrayBuffer()));
       } catch (error) {
         isPattern = error instanceof Refused && error.failure.code === 'fold/no-mesh';
         if (!isPattern) throw error;
@@ -140,7 +144,7 @@ this.sheet = new SheetView(byId('sheet'), byId('painter').textContent!, colors.s
   private openSample(name: string): Promise<void> {
     return this.guarded(async () => {
       const made = await this.session.job('sample', [['name', name], ['output', `${name}.obj`]], {});
-      await this.session.open(`${name}.obj`, made.files[`${name}.obj`]!, (p) => this.progress(p));
+      await this.openBytes(`${name}.obj`, made.files[`${name}.obj`]!);
     });
   }
 

@@ -124,6 +124,15 @@ export class MotionFile {
   }
 }
 
+/** Whether a file has a motion of these panels, one by one. */
+export function hasMotionOf({ offsets }: Model, bytes: Uint8Array): boolean {
+  const text = new TextDecoder().decode(bytes);
+  if (!text.includes('"plico:time"')) return false;
+  const { faces_vertices: faces, 'faces_plico:mesh_face': order } = JSON.parse(text) as Fold & { 'faces_plico:mesh_face'?: number[] };
+  const fits = faces?.every((face, f) => face.length === offsets[f + 1]! - offsets[f]! && (order?.[f] ?? f) === f);
+  return Boolean(fits) && faces.length === offsets.length - 1;
+}
+
 /** Those that touch as one; those of no length are left out. */
 function merged(spans: [number, number][]): [number, number][] {
   const all: [number, number][] = [];

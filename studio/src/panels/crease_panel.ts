@@ -28,6 +28,7 @@ const kTurn = 180; // degrees that a crease turns to either side
 export class CreasePanel {
   private shape?: Shape;
   private file?: MotionFile;
+  private given?: PlayedFile; // whose motion it is, if not the net's own
   private lane?: Lane;
   private hand?: Hand;
   private edge = -1;
@@ -53,8 +54,9 @@ export class CreasePanel {
     return this.file ?? this.motion(); // another came in between
   }
   /** The net or its motion is another now. */
-  async refresh(shape: Shape, open: boolean): Promise<void> {
+  async refresh(shape: Shape, open: boolean, given?: PlayedFile): Promise<void> {
     this.shape = shape;
+    this.given = given;
     this.file = undefined;
     this.hand = undefined;
     this.say('');
@@ -65,7 +67,7 @@ export class CreasePanel {
     if (open && !many) await this.read();
   }
   private async read(): Promise<void> {
-    const ticket = ++this.asked, shape = this.shape!, bytes = await this.session.net();
+    const ticket = ++this.asked, shape = this.shape!, bytes = this.given?.bytes ?? (await this.session.net());
     if (ticket !== this.asked || shape !== this.shape) return;
     this.file = new MotionFile('net.fold', bytes, shape.model, shape.snapshot.folds);
     byId('lanes-show').hidden = true;
@@ -149,10 +151,9 @@ export class CreasePanel {
     byId('moment').textContent = text;
     byId('moment').dataset['status'] = status;
   }
-  private async judged(bytes: Uint8Array, more: [string, string][] = []): Promise<Record<string, any>> {
+  async judged(bytes: Uint8Array, more: [string, string][] = []): Promise<{ motion?: MotionVerdict; noise?: { folded: number; samples: number } }> {
     const name = 'motion.fold';
-    const { report } = await this.session.job('verify', [['file', name], ...more], { [name]: bytes }, this.progress);
-    return report as Record<string, any>;
+    return (await this.session.job('verify', [['file', name], ...more], { [name]: bytes }, this.progress)).report;
   }
   private tellVerdict(told: MotionVerdict | undefined, free: string, where: (at: number) => string): void {
     if (!told) return this.say('not judged: the parts of this net fold one by one');
@@ -164,7 +165,7 @@ export class CreasePanel {
   private checkNow(): Promise<void> {
     return this.guarded(async () => {
       const time = this.stage.time(), bytes = this.hand ? this.file!.turning(time, this.hand.edge, this.hand.degrees, this.hand.degrees) : this.file?.turning(time);
-      if (bytes) this.tellVerdict((await this.judged(bytes))['motion'], 'nothing collides at this moment', () => ' at this moment');
+      if (bytes) this.tellVerdict((await this.judged(bytes)).motion, 'nothing collides at this moment', () => ' at this moment');
     });
   }
   private checkHand(): Promise<void> {
@@ -180,7 +181,7 @@ export class CreasePanel {
   private checkMargin(): Promise<void> {
     return this.guarded(async () => {
       if (!this.file) return;
-      const told = (await this.judged(this.file.bytes, [['angle-noise', `${kNoise}deg`], ['samples', '40']]))['noise'];
+      const told = (await this.judged(this.file.bytes, [['angle-noise', `${kNoise}deg`], ['samples', '40']])).noise;
       this.say(told ? `${told.folded} of ${told.samples} folds with every crease off by up to ${kNoise}° end without a collision` : 'prove a motion first', told && told.folded === told.samples ? 'good' : told ? 'bad' : 'none');
     });
   }

@@ -2,7 +2,8 @@
 import { kAlarmed, kPointedAt } from '../../../viewer/src/gl_mesh';
 import type { MotionVerdict, Progress } from '../core/protocol';
 import { byId, colors } from '../page';
-import type { Session } from '../session';
+import { hasMotionOf } from '../motion_file';
+import type { PlayedFile, Session } from '../session';
 import type { Shape } from '../views/shape';
 import type { SpaceView } from '../views/space_view';
 import { ThickShape } from '../views/thick_shape';
@@ -20,6 +21,8 @@ export class FoldPanel {
   private shape?: Shape;
   private thick?: ThickShape; // while panels have a thickness
   private size = 1; // of the model
+  private expected?: PlayedFile; // what is being opened
+  private given?: PlayedFile; // whose motion is shown: that of the file, until something is edited or sought
   private open = false;
   private drawn?: Shape; // with or without thickness
   private fresh = false; // a net that was not drawn yet
@@ -48,8 +51,14 @@ export class FoldPanel {
     return this.verdict?.verdict === 'free';
   }
 
+  /** A file that may have a motion of its own, before it is opened. */
+  expect(file: PlayedFile | undefined): void {
+    this.expected = file;
+  }
   newModel(shape: Shape): void {
     this.shape = shape;
+    this.given = this.expected && hasMotionOf(shape.model, this.expected.bytes) ? this.expected : undefined;
+    this.expected = undefined;
     this.size = diagonalOf(shape.model.corners);
     this.player.time = 1;
     this.say(undefined);
@@ -60,13 +69,14 @@ export class FoldPanel {
   }
   edited(shape: Shape): void {
     this.shape = shape;
+    this.given = undefined;
     this.say(undefined);
     if (this.open) void this.reframe();
     else this.space.show(shape, shape.model.corners, false);
     void this.changed();
   }
   private changed(): Promise<void> {
-    return this.guarded(() => this.creases.refresh(this.shape!, this.open));
+    return this.guarded(() => this.creases.refresh(this.shape!, this.open, this.given));
   }
   /** The net step shows the mesh, the fold step the panels on their way. */
   shown(open: boolean): void {
@@ -127,7 +137,7 @@ export class FoldPanel {
 
   private async draw(time: number): Promise<boolean> {
     this.creases.follow();
-    const held = this.creases.held(time), at = await (held ?? this.session.fold(time));
+    const held = this.creases.held(time), at = await (held ?? this.placesAt(time));
     if (!this.open || !this.shape || at.length !== this.shape.model.corners.length) return false;
     const { thick } = this, places = thick ? thick.places(at, this.thickness) : at;
     if (this.fresh) this.begin(thick ?? this.shape, places);
@@ -135,6 +145,9 @@ export class FoldPanel {
     if (this.near && time !== this.verdict?.to) this.space.frame(places), (this.near = false);
     if (!held && !byId('beside-view').hidden) await this.beside?.draw(time);
     return true;
+  }
+  private placesAt(time: number): Promise<Float32Array> {
+    return this.given ? this.session.playAt(time, this.given) : this.session.fold(time);
   }
   private begin(shape: Shape, places: Float32Array): void {
     this.space.decorate(undefined); // it was of another
@@ -168,8 +181,10 @@ export class FoldPanel {
 
   private judge(plan: boolean): Promise<void> {
     return this.guarded(async () => {
-      this.say(await this.session.motion(plan, this.progress));
-      await this.creases.refresh(this.shape!, this.open);
+      const told = this.given && !plan ? (await this.creases.judged(this.given.bytes)).motion : undefined;
+      if (!told) this.given = undefined;
+      this.say(told ? { ...told, method: 'the file’s' } : await this.session.motion(plan, this.progress));
+      await this.creases.refresh(this.shape!, this.open, this.given);
       await this.jump();
     });
   }
@@ -179,7 +194,7 @@ export class FoldPanel {
       await this.session.edit('search a net that folds', edit);
       await this.session.arrange();
       this.say(await this.session.motion(false, this.progress));
-      await this.creases.refresh(this.shape!, this.open);
+      await this.creases.refresh(this.shape!, this.open, this.given);
       await this.reframe();
     });
   }
@@ -189,7 +204,7 @@ export class FoldPanel {
     await this.player.set(collides ? verdict.to : this.player.time);
     if (!collides || !shape) return;
     this.mark(this.creases.chosen, verdict.panels, true);
-    const at = await this.session.fold(verdict.to), { offsets } = shape.model;
+    const at = await this.placesAt(verdict.to), { offsets } = shape.model;
     const corners = verdict.panels.flatMap((f) => [...at.subarray(3 * offsets[f]!, 3 * offsets[f + 1]!)]);
     const middle = [0, 1, 2].map((k) => corners.reduce((sum, x, i) => sum + (i % 3 === k ? x : 0), 0) / (corners.length / 3));
     this.space.frame(Float32Array.from(corners, (x, i) => middle[i % 3]! + kAround * (x - middle[i % 3]!)));
@@ -201,7 +216,7 @@ export class FoldPanel {
     this.verdict = verdict;
     const badge = byId('motion'), collides = verdict?.verdict === 'collides';
     badge.dataset['status'] = !verdict ? 'none' : verdict.verdict === 'free' ? 'good' : 'bad';
-    badge.textContent = !verdict ? 'not judged'
+    badge.textContent = !verdict ? (this.given ? 'the motion of the file, not judged' : 'not judged')
       : verdict.verdict === 'free' ? `folds, proven (${verdict.method})`
       : collides ? `faces ${verdict.panels.join(' and ')} collide at ${Math.round(100 * verdict.to)} %`
       : verdict.verdict;
