@@ -213,7 +213,7 @@ async function theMotionOfAFileIsShown(page) {
   await until(page, () => document.getElementById('motion').textContent === 'folds, proven (the file’s)');
   await page.$eval('#time', (slider) => { slider.value = '0.4'; slider.dispatchEvent(new Event('input')); });
   await page.click('#lanes [role=option]');
-  await until(page, () => /, 90° now, 90° at the end · lane: crease/.test(document.getElementById('crease').textContent));
+  await until(page, () => /, -90° now, -90° at the end · lane: crease/.test(document.getElementById('crease').textContent));
   await picture(page, 'fold-lanes');
   await page.click('#plan'); // another one is sought: the net's own
   await until(page, () => document.getElementById('motion').textContent === 'folds, proven (linear)');

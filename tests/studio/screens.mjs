@@ -228,9 +228,11 @@ export async function partsStayWhereTheyWerePut(page) {
   await drop(page, 'two.obj', lines.join('\n'));
   await until(page, () => document.getElementById('name').textContent === 'two');
   await page.click('#tab-pages');
+  await until(page, () => document.querySelectorAll('.part').length === 2);
+  const unsized = await page.$eval('.part path', (part) => part.getAttribute('d'));
   await page.fill('input[name=size]', '60');
   await page.click('#page-form .strong');
-  await until(page, () => [...document.querySelectorAll('.part')].filter((part) => part.getAttribute('aria-label').includes('page 1')).length === 2);
+  await until(page, (d) => document.querySelector('.part path')?.getAttribute('d') !== d && document.querySelectorAll('.part').length === 2, unsized);
   await page.focus('.part');
   await page.keyboard.press('PageDown');
   await until(page, () => [...document.querySelectorAll('.part')].some((part) => part.getAttribute('aria-label').includes('page 2, placed by hand')));

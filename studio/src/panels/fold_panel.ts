@@ -57,8 +57,11 @@ export class FoldPanel {
   }
   newModel(shape: Shape): void {
     this.shape = shape;
-    this.given = this.expected && hasMotionOf(shape.model, this.expected.bytes) ? this.expected : undefined;
-    this.expected = undefined;
+    this.given = undefined;
+    if (this.expected?.name.replace(/\.fold$/i, '') === shape.model.name) { // and not a model that was still to be drawn
+      if (hasMotionOf(shape.model, this.expected.bytes)) this.given = this.expected;
+      this.expected = undefined;
+    }
     this.size = diagonalOf(shape.model.corners);
     this.player.time = 1;
     this.say(undefined);
