@@ -38,6 +38,17 @@ export async function drop(page, name, bytes) {
   await page.setInputFiles('#file', { name, mimeType: 'application/octet-stream', buffer: Buffer.from(bytes) });
 }
 
+/** The page opened anew, with the project that it kept, on the step of pages. */
+export async function reopenOnPages(page, name) {
+  await page.waitForTimeout(500); // until it is kept
+  await page.reload();
+  await page.waitForSelector('html[data-ready=true]');
+  await page.click('#continue');
+  await until(page, (wanted) => document.getElementById('name').textContent === wanted, name);
+  await page.click('#tab-pages');
+  await page.waitForSelector('.part');
+}
+
 /** With PICTURES=FOLDER in the environment. */
 export async function picture(page, name) {
   if (!process.env.PICTURES) return;

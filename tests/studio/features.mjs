@@ -6,7 +6,7 @@ import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { accessible, complaintsOf, drop, openStudio, picture, projectText, startBrowser, status, until } from './browser.mjs';
+import { accessible, complaintsOf, drop, openStudio, picture, projectText, reopenOnPages, startBrowser, status, until } from './browser.mjs';
 
 const [pagePath, meshPath] = process.argv.slice(2);
 
@@ -56,13 +56,7 @@ async function allIsOneArchive(page) {
 }
 
 async function aReloadKeepsTheForm(page) {
-  await page.waitForTimeout(500);
-  await page.reload();
-  await page.waitForSelector('html[data-ready=true]');
-  await page.click('#continue');
-  await until(page, () => document.getElementById('name').textContent === 'bird');
-  await page.click('#tab-pages');
-  await page.waitForSelector('.part');
+  await reopenOnPages(page, 'bird');
   assert.deepEqual(await page.evaluate(() => Object.fromEntries(['measure', 'size', 'margin'].map((name) => [name, document.querySelector(`[name=${name}]`).value]))),
     { measure: 'height', size: '25', margin: '14' });
   assert.ok(await page.isChecked('input[data-value=start]'));

@@ -6,7 +6,7 @@ import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { accessible, complaintsOf, drop, openStudio, picture, startBrowser, status, until } from './browser.mjs';
+import { accessible, complaintsOf, drop, openStudio, picture, reopenOnPages, startBrowser, status, until } from './browser.mjs';
 
 const [pagePath, meshPath] = process.argv.slice(2);
 
@@ -232,17 +232,13 @@ export async function partsStayWhereTheyWerePut(page) {
   const unsized = await page.$eval('.part path', (part) => part.getAttribute('d'));
   await page.fill('input[name=size]', '60');
   await page.click('#page-form .strong');
-  await until(page, (d) => document.querySelector('.part path')?.getAttribute('d') !== d && document.querySelectorAll('.part').length === 2, unsized);
+  await until(page, (d) => document.querySelector('.part path')?.getAttribute('d') !== d, unsized);
+  await until(page, () => [...document.querySelectorAll('.part')].filter((part) => part.getAttribute('aria-label').includes('page 1')).length === 2);
   await page.focus('.part');
   await page.keyboard.press('PageDown');
   await until(page, () => [...document.querySelectorAll('.part')].some((part) => part.getAttribute('aria-label').includes('page 2, placed by hand')));
   const before = (await places(page)).sort();
-  await page.waitForTimeout(500);
-  await page.reload();
-  await page.waitForSelector('html[data-ready=true]');
-  await page.click('#continue');
-  await until(page, () => document.getElementById('name').textContent === 'two');
-  await page.click('#tab-pages');
+  await reopenOnPages(page, 'two');
   await until(page, () => document.querySelectorAll('.part').length === 2);
   assert.deepEqual((await places(page)).sort(), before);
   assert.equal(await page.inputValue('input[name=size]'), '60');

@@ -70,6 +70,10 @@ std::vector<char> hyperbolic_vertices(const Mesh& mesh) {
   return is;
 }
 
+int count_hyperbolic(const std::vector<char>& hyperbolic) {
+  return static_cast<int>(std::count(hyperbolic.begin(), hyperbolic.end(), 1));
+}
+
 void SkinEnergy::classify(const Mesh& now, const std::vector<char>& hyperbolic) {
   edge_stiffness_.assign(now.num_edges(), options_.edge_stiffness);
   anchor_stiffness_.assign(now.num_vertices(), 0);

@@ -22,6 +22,7 @@ struct SkinOptions {
 void check(const SkinOptions& options);  // throws InvalidOption
 
 std::vector<char> hyperbolic_vertices(const Mesh& mesh);  // of each whether it is; O(n)
+int count_hyperbolic(const std::vector<char>& hyperbolic);
 
 // Sum of (L - L0)^2 E / 2 over stretched edges, |x - P|^2 E_v / 2 over vertices, and pressure times
 //   - V0 log(V / V0): a sealed amount of air, whose pressure falls as 1 / V, so that every pressure has its minimum

@@ -31,8 +31,6 @@ Eigen::VectorXd pressure_forces(const Mesh& now, double pressure) {
 // Did the step tear the skin?
 bool bursts(const Eigen::VectorXd& step) { return !(step.lpNorm<Eigen::Infinity>() < kFarthest); }
 
-int number_of(const std::vector<char>& flags) { return static_cast<int>(std::count(flags.begin(), flags.end(), 1)); }
-
 SkinOptions without_flattening(SkinOptions skin) {
   skin.flattening = 0;
   return skin;
@@ -53,7 +51,7 @@ ExplicitInflation::ExplicitInflation(const Mesh& mesh, const InflateOptions& opt
   result_.limit = InflateLimit::Steps;
   result_.points = mesh.soup().points;
   hyperbolic_ = hyperbolic_vertices(mesh);
-  result_.hyperbolic_before = number_of(hyperbolic_);
+  result_.hyperbolic_before = count_hyperbolic(hyperbolic_);
   look({});
 }
 
@@ -71,7 +69,7 @@ void ExplicitInflation::look(const Run& run) {
   result_.points = now_.soup().points;
   pressure_ = energy_.only_free(pressure_forces(now_, result_.pressure));
   hyperbolic_ = hyperbolic_vertices(now_);
-  result_.hyperbolic = number_of(hyperbolic_);
+  result_.hyperbolic = count_hyperbolic(hyperbolic_);
   energy_.classify(now_, hyperbolic_);
   if (result_.hyperbolic <= options_.until_hyperbolic) return end(InflateLimit::Hyperbolic);
   if (result_.steps >= options_.max_steps) end(InflateLimit::Steps);

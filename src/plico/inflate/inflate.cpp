@@ -136,7 +136,7 @@ class Pump {
     const Mesh now(soup);
     const std::vector<char> is_hyperbolic = hyperbolic_vertices(now);
     energy_.classify(now, is_hyperbolic);
-    const int hyperbolic = static_cast<int>(std::count(is_hyperbolic.begin(), is_hyperbolic.end(), 1));
+    const int hyperbolic = count_hyperbolic(is_hyperbolic);
     if (std::pair(hyperbolic, change(x)) >= std::pair(result_.hyperbolic, best_change_)) return;
     if (hyperbolic < result_.hyperbolic) levels_since_best_ = 0;
     best_change_ = change(x);
@@ -213,10 +213,7 @@ double Inflation::mean_move() const {
 
 double Inflation::largest_move() const { return move.empty() ? 0 : *std::max_element(move.begin(), move.end()); }
 
-int count_hyperbolic(const Mesh& mesh) {
-  const std::vector<char> is = hyperbolic_vertices(mesh);
-  return static_cast<int>(std::count(is.begin(), is.end(), 1));
-}
+int count_hyperbolic(const Mesh& mesh) { return count_hyperbolic(hyperbolic_vertices(mesh)); }
 
 double angle_excess(const Mesh& mesh) {
   double sum = 0;
