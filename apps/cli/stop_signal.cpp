@@ -82,9 +82,10 @@ class StopSignal::Grace {
   bool is_over() {
     const Clock::time_point now = Clock::now();
     const double worked = seconds_of_others();
-    if (worked - worked_when_busy_ > kLittle || others_want_processor()) busy_ = now, worked_when_busy_ = worked;
+    if (worked - worked_when_busy_ > kLittle) busy_ = now, worked_when_busy_ = worked;
     const double passed = duration<double>(now - begin_).count(), idle = duration<double>(now - busy_).count();
-    return idle > kIdle || (passed > kGrace && (worked - worked_before_ > kGrace || passed > kLongest));
+    return (idle > kIdle && !others_want_processor()) ||
+           (passed > kGrace && (worked - worked_before_ > kGrace || passed > kLongest));
   }
 
  private:
